@@ -1,0 +1,148 @@
+# The build when this repository is the top-level project.
+include(CMakeDependentOption)
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+if (NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+endif ()
+
+option(BUILD_SHARED_LIBS "Build shared libraries; the plugin needs them" ON)
+option(LMO_PARAVIEW "Build against ParaView and its VTK, with the plugin; OFF: against VTK alone" ON)
+set(LMO_REAL_MESHES "" CACHE PATH "Folder of real meshes that the tests measure too; may be empty")
+
+# VTK's roots set these, its module system does not.
+set(CMAKE_CXX_VISIBILITY_PRESET hidden)
+set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+
+# --- VTK, or ParaView with its own -------------------------------------------------------------
+set(lmo_vtk_components CommonCore CommonDataModel CommonExecutionModel)
+set(lmo_paraview_components
+  RemotingCore RemotingClientServerStream RemotingServerManager WrapClientServer ProcessXML)
+if (LMO_PARAVIEW)
+  find_package(ParaView 5.11 REQUIRED COMPONENTS ${lmo_paraview_components})
+  cmake_dependent_option(LMO_WRAP_PYTHON "Wrap the filters for Python" ON
+    "PARAVIEW_USE_PYTHON" OFF)
+else ()
+  find_package(VTK 9.1 REQUIRED
+    COMPONENTS ${lmo_vtk_components}
+    OPTIONAL_COMPONENTS FiltersCore FiltersSources TestingCore Python WrappingPythonCore)
+  cmake_dependent_option(LMO_WRAP_PYTHON "Wrap the filters for Python" ON
+    "TARGET VTK::WrappingPythonCore" OFF)
+endif ()
+
+include(CTest)
+
+# The build tree has the install tree's layout.
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
+set(CMAKE_LIBRARY_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+set(CMAKE_ARCHIVE_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_LIBDIR}")
+if (UNIX AND NOT APPLE)
+  list(APPEND CMAKE_INSTALL_RPATH "$ORIGIN")
+endif ()
+
+# --- The module --------------------------------------------------------------------------------
+# vtk_module_build() refuses a vtk.module in the root: its binary directory would be the root's. It
+# gets a stand-in directory with a copy, which leads to the same Filters/ and Testing/.
+set(lmo_module_dir "${PROJECT_BINARY_DIR}/CMakeFiles/module")
+configure_file(vtk.module "${lmo_module_dir}/vtk.module" COPYONLY)
+file(CONFIGURE OUTPUT "${lmo_module_dir}/CMakeLists.txt" @ONLY CONTENT
+  "add_subdirectory([==[@PROJECT_SOURCE_DIR@/Filters]==] Filters)\n")
+file(CONFIGURE OUTPUT "${lmo_module_dir}/Testing/CMakeLists.txt" @ONLY CONTENT
+  "add_subdirectory([==[@PROJECT_SOURCE_DIR@/Testing]==] Testing)\n")
+
+vtk_module_scan(
+  MODULE_FILES      "${lmo_module_dir}/vtk.module"
+  REQUEST_MODULES   VTK::FiltersLaplacianMesh
+  PROVIDES_MODULES  lmo_modules
+  REQUIRES_MODULES  lmo_required
+  HIDE_MODULES_FROM_CACHE ON
+  ENABLE_TESTS      "${BUILD_TESTING}")
+
+set(lmo_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/LaplacianMesh")
+vtk_module_build(
+  MODULES             ${lmo_modules}
+  PACKAGE             LaplacianMesh
+  INSTALL_EXPORT      LaplacianMesh
+  INSTALL_HEADERS     ON
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/LaplacianMesh"
+  CMAKE_DESTINATION   "${lmo_cmake_destination}"
+  VERSION             "${PROJECT_VERSION}"
+  SOVERSION           "1")
+vtk_module_export_find_packages(
+  CMAKE_DESTINATION "${lmo_cmake_destination}"
+  FILE_NAME         "LaplacianMesh-vtk-module-find-packages.cmake"
+  MODULES           ${lmo_modules})
+
+# --- Python ------------------------------------------------------------------------------------
+set(lmo_python_dir "")
+if (LMO_WRAP_PYTHON)
+  if (NOT DEFINED LMO_PYTHON_DESTINATION)
+    vtk_module_python_default_destination(LMO_PYTHON_DESTINATION)
+  endif ()
+  set(lmo_python_dir "${LMO_PYTHON_DESTINATION}")
+  vtk_module_wrap_python(
+    MODULES             ${lmo_modules}
+    TARGET              LaplacianMesh::FiltersLaplacianMeshPython
+    PYTHON_PACKAGE      laplacianmesh
+    MODULE_DESTINATION  "${LMO_PYTHON_DESTINATION}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+    CMAKE_DESTINATION   "${lmo_cmake_destination}"
+    BUILD_STATIC        OFF
+    INSTALL_HEADERS     OFF)
+  set(lmo_python_init "${PROJECT_BINARY_DIR}/${LMO_PYTHON_DESTINATION}/laplacianmesh/__init__.py")
+  file(CONFIGURE OUTPUT "${lmo_python_init}" @ONLY CONTENT
+    "from .vtkFiltersLaplacianMesh import *\n\n__version__ = '@PROJECT_VERSION@'\n")
+  install(FILES "${lmo_python_init}" DESTINATION "${LMO_PYTHON_DESTINATION}/laplacianmesh")
+endif ()
+
+# --- The ParaView plugin -----------------------------------------------------------------------
+set(lmo_plugin_dir "")
+if (LMO_PARAVIEW)
+  paraview_plugin_scan(
+    PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
+    PROVIDES_PLUGINS  lmo_plugins
+    REQUIRES_MODULES  lmo_plugin_required
+    ENABLE_BY_DEFAULT ON
+    HIDE_PLUGINS_FROM_CACHE ON)
+  paraview_plugin_build(
+    PLUGINS              ${lmo_plugins}
+    PLUGINS_FILE_NAME    "LaplacianMeshOptimization.plugins.xml"
+    RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
+    LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
+    LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
+  set(lmo_plugin_dir
+    "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/LaplacianMeshOptimization")
+endif ()
+
+# --- The environment in which python, pvpython and LoadPlugin find what was built ----------------
+function (lmo_write_environment file path_to_root)
+  set(LMO_PATH_TO_ROOT "${path_to_root}")
+  set(LMO_LIBRARY_DIR "${CMAKE_INSTALL_LIBDIR}")
+  set(LMO_PYTHON_DIR "${lmo_python_dir}")
+  set(LMO_PLUGIN_DIR "${lmo_plugin_dir}")
+  configure_file("${PROJECT_SOURCE_DIR}/CMake/setup-env.sh.in" "${file}" @ONLY)
+endfunction ()
+lmo_write_environment("${PROJECT_BINARY_DIR}/setup-env.sh" ".")
+lmo_write_environment("${PROJECT_BINARY_DIR}/CMakeFiles/installed/setup-env.sh" "../..")
+install(FILES "${PROJECT_BINARY_DIR}/CMakeFiles/installed/setup-env.sh"
+  DESTINATION "${CMAKE_INSTALL_DATADIR}/LaplacianMesh")
+
+# --- The CMake package -------------------------------------------------------------------------
+configure_package_config_file(CMake/LaplacianMeshConfig.cmake.in
+  "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
+  INSTALL_DESTINATION "${lmo_cmake_destination}")
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
+    "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
+  DESTINATION "${lmo_cmake_destination}")
+
+if (BUILD_TESTING)
+  add_subdirectory(Testing/Standalone)
+endif ()

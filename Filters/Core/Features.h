@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_Features_h
+#define lmo_Features_h
+
+#include "Laplacian.h"
+
+namespace lmo
+{
+/// Polylines of mesh edges along which vertices may slide, such as the boundary.
+struct FeatureLines
+{
+  enum Class : unsigned char
+  {
+    SMOOTH = 0, ///< on no line
+    EDGE = 1,   ///< inside a line: two line edges and a turn of at most 60 degrees
+    CORNER = 2  ///< end, junction or sharp turn
+  };
+  Mask pointClass;                             ///< Class of each vertex
+  std::shared_ptr<const AdjacencyLists> lines; ///< neighbours along the lines
+  Points tangents;                             ///< unit direction of the line at an EDGE, else 0
+};
+
+FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Points& V);
+
+/// L_u of the lines: (v_previous + v_next) / 2 - v at each EDGE; the other rows are empty.
+Laplacian LineLaplacian(const FeatureLines& features);
+
+/// The part of L V across the line: as prescribed Laplacians it spreads the vertices along the line
+/// and leaves its shape alone.
+Points AcrossLines(const FeatureLines& features, const Laplacian& lineLaplacian, const Points& V);
+
+/// Moves each EDGE to the closest point of its line in \a V.
+/// \param moved vertices close to their line
+void ProjectOntoLines(const FeatureLines& features, const Points& V, Points& moved);
+}
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Laplacian.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+namespace
+{
+Index RowCount(const AdjacencyLists& rings)
+{
+  return static_cast<Index>(rings.offsets.size()) - 1;
+}
+
+/// Eqn. 2: rows scaled by the reciprocal of their sum.
+Vector NormalisedRows(const Laplacian& L)
+{
+  Vector rowScale(RowCount(*L.rings));
+  ParallelFor(RowCount(*L.rings),
+    [&](Index i)
+    {
+      const double sum = WeightSum(L, i);
+      rowScale[i] = sum != 0 ? 1 / sum : 0;
+    });
+  return rowScale;
+}
+}
+
+Laplacian UniformLaplacian(std::shared_ptr<const AdjacencyLists> oneRings)
+{
+  Laplacian L{ std::move(oneRings), nullptr, {} };
+  L.rowScale = NormalisedRows(L);
+  return L;
+}
+
+std::shared_ptr<const Vector> CotangentEdgeWeights(
+  const MeshTopology& topology, const Triangles& triangles, const CornerValues& cotangents)
+{
+  const AdjacencyLists& rings = topology.oneRings;
+  auto weights = std::make_shared<Vector>(Vector::Zero(rings.ids.size()));
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      double* row = weights->data() + rings.offsets[i];
+      for (const Index* t = topology.trianglesAt.Begin(i); t != topology.trianglesAt.End(i); ++t)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          if (triangles(*t, corner) != i)
+          {
+            // The angle across the edge from i to this corner is at the third corner.
+            const int next = (corner + 1) % 3;
+            const int across = triangles(*t, next) == i ? (corner + 2) % 3 : next;
+            row[rings.Find(i, triangles(*t, corner))] += cotangents(*t, across);
+          }
+        }
+      }
+    });
+  return weights;
+}
+
+Laplacian CotangentLaplacian(
+  std::shared_ptr<const AdjacencyLists> oneRings, std::shared_ptr<const Vector> edgeWeights)
+{
+  Laplacian L{ std::move(oneRings), std::move(edgeWeights), {} };
+  L.rowScale = NormalisedRows(L);
+  return L;
+}
+
+Laplacian MeanCurvatureLaplacian(std::shared_ptr<const AdjacencyLists> oneRings,
+  std::shared_ptr<const Vector> edgeWeights, const Vector& voronoiAreas)
+{
+  return { std::move(oneRings), std::move(edgeWeights),
+    (voronoiAreas.array() > 0).select(1 / (4 * voronoiAreas.array()), 0.0) };
+}
+
+double SquaredLengthScale(const Laplacian& meanCurvatureLaplacian)
+{
+  std::vector<double> scales;
+  for (Index i = 0; i < RowCount(*meanCurvatureLaplacian.rings); ++i)
+  {
+    const double weightSum = WeightSum(meanCurvatureLaplacian, i);
+    if (meanCurvatureLaplacian.rowScale[i] > 0 && weightSum > 0)
+    {
+      scales.push_back(1 / (meanCurvatureLaplacian.rowScale[i] * weightSum));
+    }
+  }
+  if (scales.empty())
+  {
+    return 0;
+  }
+  const auto upper = scales.begin() + scales.size() / 2;
+  std::nth_element(scales.begin(), upper, scales.end());
+  const double lower = scales.size() % 2 ? *upper : *std::max_element(scales.begin(), upper);
+  return (lower + *upper) / 2;
+}
+
+double WeightSum(const Laplacian& L, Index i)
+{
+  const AdjacencyLists& rings = *L.rings;
+  return L.edgeWeights ? L.edgeWeights->segment(rings.offsets[i], rings.Size(i)).sum()
+                       : double(rings.Size(i));
+}
+
+Points Apply(const Laplacian& L, const Points& x)
+{
+  Points result(x.rows(), 3);
+  ParallelFor(
+    RowCount(*L.rings), [&](Index i) { result.row(i) = -L.rowScale[i] * StiffnessRow(L, x, i); });
+  return result;
+}
+
+SparseMatrix StiffnessMatrix(const Laplacian& L)
+{
+  const AdjacencyLists& rings = *L.rings;
+  const Index rows = RowCount(rings);
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  entries.reserve(rings.ids.size() + rows);
+  for (Index i = 0; i < rows; ++i)
+  {
+    for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
+    {
+      entries.emplace_back(i, rings.ids[k], L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0);
+    }
+    entries.emplace_back(i, i, WeightSum(L, i));
+  }
+  SparseMatrix K(rows, rows);
+  K.setFromTriplets(entries.begin(), entries.end());
+  return K;
+}
+}

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_MeshTopology_h
+#define lmo_MeshTopology_h
+
+#include "Types.h"
+
+namespace lmo
+{
+/// For each vertex a list of ids, all lists in one array (compressed rows).
+struct AdjacencyLists
+{
+  std::vector<Index> offsets; ///< size vertices + 1; list i is [offsets[i], offsets[i + 1])
+  std::vector<Index> ids;     ///< ascending within each list
+
+  Index Size(Index i) const { return this->offsets[i + 1] - this->offsets[i]; }
+  const Index* Begin(Index i) const { return this->ids.data() + this->offsets[i]; }
+  const Index* End(Index i) const { return this->ids.data() + this->offsets[i + 1]; }
+  /// Place of \a id within list i, which must hold it.
+  Index Find(Index i, Index id) const;
+};
+
+/// Who is whose neighbour. A triangle that names a vertex twice has no edges and counts nowhere.
+struct MeshTopology
+{
+  Index vertices = 0;
+  AdjacencyLists trianglesAt;   ///< triangles at each vertex
+  AdjacencyLists oneRings;      ///< vertices that share an edge with each vertex
+  AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one triangle with each
+  Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
+  Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere
+
+  /// At least one triangle, and no edge with exactly one.
+  bool IsClosed() const;
+};
+
+/// True if the triangle names a vertex twice.
+inline bool IsCollapsed(const Triangles& triangles, Index t)
+{
+  return triangles(t, 0) == triangles(t, 1) || triangles(t, 1) == triangles(t, 2) ||
+         triangles(t, 2) == triangles(t, 0);
+}
+
+/// \param vertices number of vertices; every id in \a triangles is below it.
+/// \throw InputError if the mesh has more corners than Index can count.
+MeshTopology BuildTopology(Index vertices, const Triangles& triangles);
+
+/// Connected component of each vertex, 0, 1, ... in the order of their first vertices; an isolated
+/// vertex is a component of its own.
+std::vector<Index> ConnectedComponents(const AdjacencyLists& oneRings);
+}
+
+#endif

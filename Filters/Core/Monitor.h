@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_Monitor_h
+#define lmo_Monitor_h
+
+#include "Exceptions.h"
+
+namespace lmo
+{
+/// How the numerics report progress and learn that the user wants to stop.
+class Monitor
+{
+public:
+  virtual ~Monitor() = default;
+
+  /// Reports the finished fraction, 0 to 1.
+  /// \throw Cancelled if the user asked to stop.
+  void Report(double fraction)
+  {
+    this->ShowProgress(fraction);
+    if (this->IsCancelled())
+    {
+      throw Cancelled();
+    }
+  }
+
+protected:
+  virtual void ShowProgress(double) {}
+  virtual bool IsCancelled() { return false; }
+};
+}
+
+#endif

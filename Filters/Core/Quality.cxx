@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Quality.h"
+
+#include "Parallel.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <limits>
+
+namespace lmo
+{
+double RadiusRatio(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a;
+  const Vector3 bc = c - b;
+  const Vector3 ca = a - c;
+  const double lab = ab.stableNorm();
+  const double lbc = bc.stableNorm();
+  const double lca = ca.stableNorm();
+  const double longest = std::max({ lab, lbc, lca });
+  if (!(longest > 0) || !(std::min({ lab, lbc, lca }) > 0))
+  {
+    return 0;
+  }
+  // r = 2A / (a + b + c) and R = abc / 4A: t = 16 A^2 / (abc (a + b + c)), in units of the longest
+  // edge so that no power under- or overflows.
+  const double twiceAreaSquared = (ab / longest).cross(ca / longest).squaredNorm();
+  const double t =
+    4 * twiceAreaSquared /
+    ((lab / longest) * (lbc / longest) * (lca / longest) * ((lab + lbc + lca) / longest));
+  return std::min(t, 1.0);
+}
+
+Vector RadiusRatios(const Points& V, const Triangles& triangles)
+{
+  Vector ratios(triangles.rows());
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      ratios[t] =
+        RadiusRatio(V.row(triangles(t, 0)), V.row(triangles(t, 1)), V.row(triangles(t, 2)));
+    });
+  return ratios;
+}
+
+Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  Vector minimum = Vector::Constant(vertices, none);
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      double& value = minimum[triangles(t, corner)];
+      value = std::min(value, triangleValues[t]);
+    }
+  }
+  return (minimum.array() == none).select(UndefinedQuality, minimum);
+}
+
+QualitySummary Summarize(const Vector& radiusRatios)
+{
+  if (radiusRatios.size() == 0)
+  {
+    return {};
+  }
+  const double sum = ParallelSum(static_cast<Index>(radiusRatios.size()), 0.0,
+    [&](double& partial, Index t) { partial += radiusRatios[t]; });
+  return { sum / double(radiusRatios.size()), radiusRatios.minCoeff() };
+}
+}

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_Quality_h
+#define lmo_Quality_h
+
+#include "MeshTopology.h"
+
+namespace lmo
+{
+/// Radius ratio of points and cells that have none.
+constexpr double UndefinedQuality = -1;
+
+/// Eqn. 12: t = 2 r / R, with the radii of the inscribed and the circumscribed circle. 1 for an
+/// equilateral, 0 for a degenerate triangle; independent of the triangle's size.
+double RadiusRatio(const Vector3& a, const Vector3& b, const Vector3& c);
+
+/// Eqn. 12 for each triangle.
+Vector RadiusRatios(const Points& V, const Triangles& triangles);
+
+/// Minimum over the triangles at each vertex, W_t of section 5.2; UndefinedQuality at vertices that
+/// no triangle uses.
+Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices);
+
+/// t_mean and t_min of Fig. 5.
+struct QualitySummary
+{
+  double mean = UndefinedQuality;
+  double minimum = UndefinedQuality;
+};
+
+/// UndefinedQuality if there is no triangle.
+QualitySummary Summarize(const Vector& radiusRatios);
+}
+
+#endif

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_SurfaceComparison_h
+#define lmo_SurfaceComparison_h
+
+#include "Quality.h"
+
+namespace lmo
+{
+/// What an optimisation did to the surface: the figures of Fig. 5 and some more.
+struct SurfaceComparison
+{
+  Vector radiusRatiosBefore; ///< of each triangle
+  Vector radiusRatiosAfter;
+  QualitySummary before;
+  QualitySummary after;
+  double maximumDisplacement = 0;         ///< in the unit of the mesh
+  double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
+  double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
+  Index flippedTriangles = 0;             ///< normal turned by more than a right angle
+};
+
+SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
+  const Triangles& triangles, const MeshTopology& topology);
+}
+
+#endif

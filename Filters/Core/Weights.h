@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_Weights_h
+#define lmo_Weights_h
+
+#include "Types.h"
+
+namespace lmo
+{
+/// Distribution of the mean curvature over the vertices that a triangle uses.
+struct CurvatureStatistics
+{
+  Vector sorted; ///< ascending
+  double minimum = 0;
+  double maximum = 0;
+  double threshold = 0; ///< kappa_tau = Q3 + 1.5 (Q3 - Q1), the box-plot test (Tukey 1977)
+};
+
+/// Value below which the share \a q, 0 to 1, of the ascending values lies: linear between
+/// neighbouring order statistics; 0 if there are none.
+double Quantile(const Vector& sorted, double q);
+
+/// \param curvatures kappa >= 0, one per vertex
+/// \param isUsed the vertices that count
+CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed);
+
+/// Section 5: W_linear / s. Maps [kappa_min, min(kappa_max, kappa_tau)] linearly to [0, 1] and
+/// clamps; 1 everywhere if that interval is empty.
+Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
+
+/// Eqn. 13: C(kappa), the share of vertices whose curvature is at most kappa, in (0, 1].
+Vector CumulativeWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
+
+/// Section 5.3: 1 - weights. With linear weights this is W_L = (s I - W_linear) / s.
+Vector ComplementWeights(const Vector& weights);
+
+/// Section 6: exp(-kappa^2 / 2 sigma^2), in [0, 1].
+/// \param sigma > 0 in the unit of the curvatures; 0 gives 1 where kappa = 0 and 0 elsewhere.
+Vector GaussianWeights(const Vector& curvatures, double sigma);
+
+/// Section 3: anchors. 1 where the tag is not zero, else 0.
+Vector AnchorWeights(const Vector& tags);
+
+/// Gives \a weight to every vertex of a component in which no vertex is fixed and no weight is
+/// positive: nothing else would hold it in space.
+/// \param component connected component of each vertex
+void HoldLooseComponents(
+  const std::vector<Index>& component, const Mask& isFixed, double weight, Vector& positionWeights);
+}
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef FilterSupport_h
+#define FilterSupport_h
+
+#include "../Core/Monitor.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace lmo
+{
+/// True if the user asked the filter to stop.
+inline bool IsAborted(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220000)
+  return filter->CheckAbort();
+#else
+  return filter->GetAbortExecute() != 0;
+#endif
+}
+
+/// Passes progress to a filter's observers, and their wish to stop back.
+class FilterMonitor : public Monitor
+{
+public:
+  explicit FilterMonitor(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+  }
+
+protected:
+  void ShowProgress(double fraction) override
+  {
+    constexpr double step = 0.01;
+    if (fraction >= this->Shown + step)
+    {
+      this->Shown = fraction;
+      this->Filter->UpdateProgress(fraction);
+    }
+  }
+
+  bool IsCancelled() override { return IsAborted(this->Filter); }
+
+private:
+  vtkAlgorithm* Filter;
+  double Shown = -1;
+};
+
+/// Lets vtkSMPTools use all processors within body(), unless the user chose how vtkSMPTools runs.
+/// VTK's default backend is often the sequential one.
+template <typename Body>
+void RunOnThreads(const Body& body)
+{
+  const bool isChosen = std::getenv("VTK_SMP_BACKEND_IN_USE") ||
+                        std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
+  if (isChosen)
+  {
+    body();
+    return;
+  }
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, body);
+}
+
+/// RequestData() of all filters: calls body() on threads, turns exceptions into vtkErrorMacro, and
+/// leaves the output empty after an error or a cancellation.
+/// \return what RequestData() returns
+template <typename Filter, typename Body>
+int RunFilter(Filter* filter, vtkDataObject* output, const Body& body)
+{
+  try
+  {
+    RunOnThreads(body);
+    return 1;
+  }
+  catch (const Cancelled&)
+  {
+    output->Initialize();
+    return 1;
+  }
+  catch (const std::bad_alloc&)
+  {
+    vtkErrorWithObjectMacro(filter, "Not enough memory for this mesh.");
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(filter, << error.what());
+  }
+  output->Initialize();
+  return 0;
+}
+}
+
+#endif

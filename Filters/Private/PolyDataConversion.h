@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PolyDataConversion_h
+#define PolyDataConversion_h
+
+#include "../Core/Types.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataArray;
+class vtkDoubleArray;
+class vtkFieldData;
+class vtkPoints;
+class vtkPolyData;
+
+namespace lmo
+{
+/// The triangles of a vtkPolyData, those of its strips included.
+struct SurfaceMesh
+{
+  Points points;
+  Triangles triangles;
+  std::vector<vtkIdType> cellOfTriangle;
+};
+
+/// \throw InputError for coordinates that are not finite, polygons that are no triangles and point
+/// ids out of range.
+SurfaceMesh ReadMesh(vtkPolyData* input);
+
+/// \throw InputError if the array has not one value per point, or one that is not finite.
+Vector ReadScalars(vtkDataArray* array, vtkIdType points);
+
+/// As ReadScalars(); negative values are errors too.
+Vector ReadWeights(vtkDataArray* array, vtkIdType points);
+
+/// \throw InputError if the array has not three finite values per point.
+Points ReadVectors(vtkDataArray* array, vtkIdType points);
+
+/// Coordinates in the type of the input's: float for float, double for all others.
+vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input);
+
+/// The coordinates as they are stored.
+Points ReadPoints(vtkPoints* points);
+
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values);
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values);
+
+/// Array of one value, as field data hold it.
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
+
+/// Adds the radius ratio of each triangle to the cell data, and its minimum at each point to the
+/// point data.
+void AddRadiusRatios(
+  const char* name, const SurfaceMesh& mesh, const Vector& radiusRatios, vtkPolyData* output);
+
+/// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
+vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
+}
+
+#endif

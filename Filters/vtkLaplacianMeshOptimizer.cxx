@@ -1,0 +1,292 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkLaplacianMeshOptimizer.h"
+
+#include "Core/Optimizer.h"
+#include "Core/SurfaceComparison.h"
+#include "Core/TriangleGeometry.h"
+#include "Private/FilterSupport.h"
+#include "Private/PolyDataConversion.h"
+
+#include "vtkCellData.h"
+#include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <cstring>
+#include <sstream>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+namespace
+{
+void CheckEnumeration(const char* name, int value, int count)
+{
+  if (value < 0 || value >= count)
+  {
+    throw lmo::InputError(std::string(name) + " is " + std::to_string(value) +
+                          "; choose a value from 0 to " + std::to_string(count - 1) + ".");
+  }
+}
+
+void CheckNumber(const char* name, double value, bool isValid, const char* range)
+{
+  if (!isValid || !std::isfinite(value))
+  {
+    std::ostringstream text;
+    text << name << " is " << value << "; it must be " << range << ".";
+    throw lmo::InputError(text.str());
+  }
+}
+}
+
+/// The part of RequestData() that needs the numerics' types.
+struct vtkLaplacianMeshOptimizer::Worker
+{
+  vtkLaplacianMeshOptimizer* Filter;
+
+  /// \throw lmo::InputError if a property is out of range.
+  lmo::OptimizerOptions ReadOptions() const;
+
+  /// The point array of an index; null if none is chosen.
+  /// \throw lmo::InputError if the chosen one does not exist.
+  vtkDataArray* FindArray(int index, vtkPolyData* input) const;
+
+  lmo::VertexArrays ReadArrays(vtkPolyData* input) const;
+
+  void Execute(vtkPolyData* input, vtkPolyData* output) const;
+
+  void WritePoints(const lmo::SurfaceMesh& mesh, lmo::OptimizerResult& result, vtkPolyData* input,
+    vtkPolyData* output) const;
+
+  /// Sets the figures that the Get methods return and adds the arrays of the radius ratio.
+  void CompareSurfaces(
+    const lmo::SurfaceMesh& mesh, const lmo::OptimizerResult& result, vtkPolyData* output) const;
+
+  void WriteFigures(vtkFieldData* fieldData) const;
+};
+
+vtkStandardNewMacro(vtkLaplacianMeshOptimizer);
+
+vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer() = default;
+vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
+
+lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Worker::ReadOptions() const
+{
+  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
+  CheckEnumeration("Mode", filter.Mode, 3);
+  CheckEnumeration("LaplacianType", filter.LaplacianType, 3);
+  CheckEnumeration("PositionWeighting", filter.PositionWeighting, 5);
+  CheckEnumeration("LaplacianWeighting", filter.LaplacianWeighting, 5);
+  CheckEnumeration("BoundaryCondition", filter.BoundaryCondition, 3);
+  CheckEnumeration("SolverType", filter.SolverType, 3);
+  CheckNumber("ScaleFactor", filter.ScaleFactor, filter.ScaleFactor > 0, "more than 0");
+  CheckNumber("GaussianWidth", filter.GaussianWidth, filter.GaussianWidth > 0, "more than 0");
+  CheckNumber(
+    "TangentPlaneWeight", filter.TangentPlaneWeight, filter.TangentPlaneWeight >= 0, "0 or more");
+  CheckNumber(
+    "Tolerance", filter.Tolerance, filter.Tolerance > 0 && filter.Tolerance < 1, "between 0 and 1");
+  CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,
+    filter.MaximumNumberOfIterations > 0, "more than 0");
+
+  lmo::OptimizerOptions options;
+  options.mode = static_cast<lmo::Mode>(filter.Mode);
+  options.laplacianType = static_cast<lmo::LaplacianType>(filter.LaplacianType);
+  options.positionWeighting = static_cast<lmo::PositionWeighting>(filter.PositionWeighting);
+  options.scaleFactor = filter.ScaleFactor;
+  options.laplacianWeighting = static_cast<lmo::LaplacianWeighting>(filter.LaplacianWeighting);
+  options.gaussianWidth = filter.GaussianWidth;
+  options.modulateByTriangleQuality = filter.ModulateByTriangleQuality;
+  options.tangentPlaneConstraints = filter.TangentPlaneConstraints;
+  options.tangentPlaneWeight = filter.TangentPlaneWeight;
+  options.boundaryCondition = static_cast<lmo::BoundaryCondition>(filter.BoundaryCondition);
+  options.solverType = static_cast<lmo::SolverType>(filter.SolverType);
+  options.solver.tolerance = filter.Tolerance;
+  options.solver.maximumIterations = filter.MaximumNumberOfIterations;
+  return options;
+}
+
+vtkDataArray* vtkLaplacianMeshOptimizer::Worker::FindArray(int index, vtkPolyData* input) const
+{
+  vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
+  const char* name = choice->Get(vtkDataObject::FIELD_NAME());
+  // ParaView's choice of no array is the name "None".
+  if (!name || !*name || std::strcmp(name, "None") == 0)
+  {
+    return nullptr;
+  }
+  vtkDataArray* array = input->GetPointData()->GetArray(name);
+  if (!array)
+  {
+    throw lmo::InputError("There is no numeric point array '" + std::string(name) +
+                          "'. Choose one that the input has.");
+  }
+  return array;
+}
+
+lmo::VertexArrays vtkLaplacianMeshOptimizer::Worker::ReadArrays(vtkPolyData* input) const
+{
+  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
+  const vtkIdType points = input->GetNumberOfPoints();
+  lmo::VertexArrays arrays;
+  vtkDataArray* array = this->FindArray(POSITION_WEIGHT_ARRAY, input);
+  if (array && filter.PositionWeighting == ARRAY)
+  {
+    arrays.positionWeights = lmo::ReadWeights(array, points);
+  }
+  if (array && filter.PositionWeighting == ANCHORS)
+  {
+    arrays.positionWeights = lmo::ReadScalars(array, points);
+  }
+  array = this->FindArray(LAPLACIAN_WEIGHT_ARRAY, input);
+  if (array && filter.LaplacianWeighting == ARRAY)
+  {
+    arrays.laplacianWeights = lmo::ReadWeights(array, points);
+  }
+  array = this->FindArray(PRESCRIBED_LAPLACIAN_ARRAY, input);
+  if (array && filter.Mode == PRESCRIBED_LAPLACIANS)
+  {
+    arrays.prescribedLaplacians = lmo::ReadVectors(array, points);
+  }
+  array = this->FindArray(FIXED_POINT_ARRAY, input);
+  if (array)
+  {
+    arrays.fixedPoints = lmo::ReadScalars(array, points);
+  }
+  return arrays;
+}
+
+void vtkLaplacianMeshOptimizer::Worker::Execute(vtkPolyData* input, vtkPolyData* output) const
+{
+  const lmo::OptimizerOptions options = this->ReadOptions();
+  const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+  const lmo::VertexArrays arrays = this->ReadArrays(input);
+
+  lmo::FilterMonitor monitor(this->Filter);
+  lmo::OptimizerResult result =
+    lmo::Optimize(mesh.points, mesh.triangles, options, arrays, monitor);
+  this->Filter->Iterations = result.iterations;
+  this->Filter->RelativeResidual = result.relativeResidual;
+  if (result.relativeResidual > options.solver.tolerance)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The solver stopped at the relative residual "
+        << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
+        << ". Raise MaximumNumberOfIterations or choose another SolverType.");
+  }
+
+  output->ShallowCopy(input);
+  this->WritePoints(mesh, result, input, output);
+  this->CompareSurfaces(mesh, result, output);
+  this->WriteFigures(output->GetFieldData());
+}
+
+void vtkLaplacianMeshOptimizer::Worker::WritePoints(const lmo::SurfaceMesh& mesh,
+  lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const
+{
+  if (input->GetPoints())
+  {
+    output->SetPoints(lmo::MakePoints(result.positions, input->GetPoints()));
+    result.positions = lmo::ReadPoints(output->GetPoints());
+  }
+  vtkPointData* pointData = output->GetPointData();
+  pointData->AddArray(lmo::MakeArray("MeanCurvature", result.meanCurvatures));
+  pointData->AddArray(lmo::MakeArray("PositionWeight", result.positionWeights));
+  pointData->AddArray(lmo::MakeArray("LaplacianWeight", result.laplacianWeights));
+  pointData->AddArray(lmo::MakeArray("Displacement", lmo::Points(result.positions - mesh.points)));
+  if (this->Filter->ComputeNormals && pointData->GetNormals())
+  {
+    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(),
+      lmo::VertexNormals(result.positions, mesh.triangles, *result.topology)));
+  }
+}
+
+void vtkLaplacianMeshOptimizer::Worker::CompareSurfaces(
+  const lmo::SurfaceMesh& mesh, const lmo::OptimizerResult& result, vtkPolyData* output) const
+{
+  const lmo::SurfaceComparison comparison =
+    lmo::CompareSurfaces(mesh.points, result.positions, mesh.triangles, *result.topology);
+  lmo::AddRadiusRatios("InputRadiusRatio", mesh, comparison.radiusRatiosBefore, output);
+  lmo::AddRadiusRatios("RadiusRatio", mesh, comparison.radiusRatiosAfter, output);
+
+  vtkLaplacianMeshOptimizer& filter = *this->Filter;
+  filter.MeanRadiusRatio = comparison.after.mean;
+  filter.MinimumRadiusRatio = comparison.after.minimum;
+  filter.InputMeanRadiusRatio = comparison.before.mean;
+  filter.InputMinimumRadiusRatio = comparison.before.minimum;
+  filter.MaximumDisplacement = comparison.maximumDisplacement;
+  filter.RelativeMaximumDisplacement = comparison.relativeMaximumDisplacement;
+  filter.RelativeVolumeChange = comparison.relativeVolumeChange;
+  filter.FlippedTriangles = comparison.flippedTriangles;
+}
+
+void vtkLaplacianMeshOptimizer::Worker::WriteFigures(vtkFieldData* fieldData) const
+{
+  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
+  const std::pair<const char*, double> figures[] = {
+    { "MeanRadiusRatio", filter.MeanRadiusRatio },
+    { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
+    { "InputMeanRadiusRatio", filter.InputMeanRadiusRatio },
+    { "InputMinimumRadiusRatio", filter.InputMinimumRadiusRatio },
+    { "MaximumDisplacement", filter.MaximumDisplacement },
+    { "RelativeMaximumDisplacement", filter.RelativeMaximumDisplacement },
+    { "RelativeVolumeChange", filter.RelativeVolumeChange },
+    { "FlippedTriangles", double(filter.FlippedTriangles) },
+    { "Iterations", double(filter.Iterations) },
+    { "RelativeResidual", filter.RelativeResidual },
+  };
+  for (const auto& [name, value] : figures)
+  {
+    fieldData->AddArray(lmo::MakeArray(name, value));
+  }
+}
+
+int vtkLaplacianMeshOptimizer::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return lmo::RunFilter(this, output, [&] { Worker{ this }.Execute(input, output); });
+}
+
+void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Mode: " << this->Mode << "\n";
+  os << indent << "LaplacianType: " << this->LaplacianType << "\n";
+  os << indent << "PositionWeighting: " << this->PositionWeighting << "\n";
+  os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
+  os << indent << "LaplacianWeighting: " << this->LaplacianWeighting << "\n";
+  os << indent << "GaussianWidth: " << this->GaussianWidth << "\n";
+  os << indent << "ModulateByTriangleQuality: " << this->ModulateByTriangleQuality << "\n";
+  os << indent << "TangentPlaneConstraints: " << this->TangentPlaneConstraints << "\n";
+  os << indent << "TangentPlaneWeight: " << this->TangentPlaneWeight << "\n";
+  os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
+  os << indent << "SolverType: " << this->SolverType << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
+  os << indent << "MeanRadiusRatio: " << this->MeanRadiusRatio << "\n";
+  os << indent << "MinimumRadiusRatio: " << this->MinimumRadiusRatio << "\n";
+  os << indent << "InputMeanRadiusRatio: " << this->InputMeanRadiusRatio << "\n";
+  os << indent << "InputMinimumRadiusRatio: " << this->InputMinimumRadiusRatio << "\n";
+  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
+  os << indent << "RelativeMaximumDisplacement: " << this->RelativeMaximumDisplacement << "\n";
+  os << indent << "RelativeVolumeChange: " << this->RelativeVolumeChange << "\n";
+  os << indent << "FlippedTriangles: " << this->FlippedTriangles << "\n";
+  os << indent << "Iterations: " << this->Iterations << "\n";
+  os << indent << "RelativeResidual: " << this->RelativeResidual << "\n";
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

@@ -1,0 +1,343 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkLaplacianMeshOptimizer
+ * @brief   better triangles on the same surface, or a smoother surface with its features
+ *
+ * Implements "Laplacian Mesh Optimization" (A. Nealen, T. Igarashi, O. Sorkine, M. Alexa, GRAPHITE
+ * 2006). All points move at once, to the solution of one weighted least-squares system (Eqn. 11):
+ *
+ *     minimise |W_L (L V' - f)|^2 + |W_p (V' - V)|^2
+ *
+ * L is a discrete Laplacian, f the Laplacians that the new points V' should have, and the diagonal
+ * matrices W_L and W_p say how much each Laplacian and each position counts. Points, cells and
+ * their order stay; only the coordinates change.
+ *
+ * - Mode OPTIMIZE_TRIANGLES makes the triangles well shaped and keeps the surface (section 5).
+ * - Mode SMOOTH removes noise (section 6).
+ * - Mode PRESCRIBED_LAPLACIANS takes f from a point array.
+ *
+ * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
+ * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
+ *
+ * Input: triangles and triangle strips; vertices and lines pass through and their points do not
+ * move unless a triangle uses them too. Polygons with more corners are an error: use
+ * vtkTriangleFilter first. Points with float coordinates give float coordinates, all others double.
+ * A composite data set is treated block by block, each with statistics of its own.
+ *
+ * Output: the input with new coordinates and with these arrays.
+ * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
+ *   (degenerate) to 1 (equilateral); the minimum over its triangles for a strip; -1 for vertices
+ *   and lines.
+ * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the triangles at the point; -1
+ *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
+ *   `PositionWeight`, `LaplacianWeight`: the diagonals of W_p and W_L that the weighting schemes
+ *   gave. `Displacement`: new minus old coordinates.
+ * - Field data, one value each: the figures of the Get methods below, under their names.
+ *
+ * @sa vtkMeshLaplacian vtkTriangleRadiusRatio vtkSurfaceDeviation vtkWindowedSincPolyDataFilter
+ */
+#ifndef vtkLaplacianMeshOptimizer_h
+#define vtkLaplacianMeshOptimizer_h
+
+#include "vtkFiltersLaplacianMeshModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkLaplacianMeshOptimizer* New();
+  vtkTypeMacro(vtkLaplacianMeshOptimizer, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ModeType
+  {
+    OPTIMIZE_TRIANGLES = 0,
+    SMOOTH = 1,
+    PRESCRIBED_LAPLACIANS = 2
+  };
+
+  enum LaplacianTypeType
+  {
+    UNIFORM = 0,
+    COTANGENT = 1,
+    MEAN_CURVATURE = 2
+  };
+
+  /**
+   * CONSTANT and ARRAY have the same value in both weightings.
+   */
+  enum PositionWeightingType
+  {
+    CONSTANT = 0,
+    LINEAR = 1,
+    CDF = 2,
+    ANCHORS = 3,
+    ARRAY = 4
+  };
+
+  enum LaplacianWeightingType
+  {
+    LINEAR_COMPLEMENT = 1,
+    CDF_COMPLEMENT = 2,
+    GAUSSIAN = 3
+  };
+
+  enum BoundaryConditionType
+  {
+    FIXED = 0,
+    SLIDING = 1,
+    FREE = 2
+  };
+
+  enum SolverTypeType
+  {
+    AUTOMATIC = 0,
+    DIRECT = 1,
+    ITERATIVE = 2
+  };
+
+  /**
+   * Input arrays for SetInputArrayToProcess(), all of them point arrays of any numeric type.
+   */
+  enum InputArrayIndex
+  {
+    POSITION_WEIGHT_ARRAY = 0,      ///< 1 component, >= 0: ARRAY and ANCHORS of PositionWeighting
+    LAPLACIAN_WEIGHT_ARRAY = 1,     ///< 1 component, >= 0: ARRAY of LaplacianWeighting
+    PRESCRIBED_LAPLACIAN_ARRAY = 2, ///< 3 components: PRESCRIBED_LAPLACIANS
+    FIXED_POINT_ARRAY = 3 ///< 1 component, optional: points with a value other than 0 do not move
+  };
+
+  ///@{
+  /**
+   * What to do. OPTIMIZE_TRIANGLES (0): L = L_u and f = delta_c, the cotangent Laplacians of the
+   * input (section 5; Eqn. 10 with PositionWeighting ANCHORS). SMOOTH (1): f = 0 (section 6; Eqn. 9
+   * with ANCHORS). PRESCRIBED_LAPLACIANS (2): f from PRESCRIBED_LAPLACIAN_ARRAY.
+   * Default: OPTIMIZE_TRIANGLES.
+   */
+  vtkSetMacro(Mode, int);
+  vtkGetMacro(Mode, int);
+  ///@}
+
+  ///@{
+  /**
+   * L of the modes SMOOTH and PRESCRIBED_LAPLACIANS. UNIFORM (0): L_u, Eqn. 3, evens out the
+   * triangles as well. COTANGENT (1): L_c, Eqn. 4, leaves their shapes. MEAN_CURVATURE (2): L_ck,
+   * Eqn. 7, weights the rows by 1 / area; it is multiplied by the median of 4A / sum of cotangents,
+   * so that the result does not depend on the unit of length. Prescribed Laplacians are compared
+   * to L as it is used. Default: UNIFORM.
+   */
+  vtkSetMacro(LaplacianType, int);
+  vtkGetMacro(LaplacianType, int);
+  ///@}
+
+  ///@{
+  /**
+   * How strongly each point is held where it was: the diagonal of W_p (section 5). CONSTANT (0): s.
+   * LINEAR (1): from 0 at the least to s at the largest mean curvature, outliers clamped by a
+   * box-plot test; for CAD models. CDF (2): s times the share of points with at most the same mean
+   * curvature, Eqn. 13; for smooth models. ANCHORS (3): s where POSITION_WEIGHT_ARRAY is not 0,
+   * else 0. ARRAY (4): the values of POSITION_WEIGHT_ARRAY. A connected component that neither a
+   * positive weight nor a fixed point holds gets the weight s. Default: CDF.
+   */
+  vtkSetMacro(PositionWeighting, int);
+  vtkGetMacro(PositionWeighting, int);
+  ///@}
+
+  ///@{
+  /**
+   * The factor s of PositionWeighting; no unit. A larger value keeps the points closer to where
+   * they were: for smoothing 1 is a slight, 0.1 a medium and 0.01 a strong effect.
+   * Range: > 0. Default: 1.
+   */
+  vtkSetMacro(ScaleFactor, double);
+  vtkGetMacro(ScaleFactor, double);
+  ///@}
+
+  ///@{
+  /**
+   * How strongly each Laplacian is imposed: the diagonal of W_L. Low values at high curvature keep
+   * features. CONSTANT (0): 1. LINEAR_COMPLEMENT (1): (s - W_linear) / s, section 5.3.
+   * CDF_COMPLEMENT (2): 1 - C, with C of Eqn. 13. GAUSSIAN (3): exp(-k^2 / 2 sigma^2) of the mean
+   * curvature k. ARRAY (4): the values of LAPLACIAN_WEIGHT_ARRAY. Default: CONSTANT.
+   */
+  vtkSetMacro(LaplacianWeighting, int);
+  vtkGetMacro(LaplacianWeighting, int);
+  ///@}
+
+  ///@{
+  /**
+   * sigma of LaplacianWeighting GAUSSIAN as a multiple of the box-plot threshold of the mean
+   * curvature, above which a value counts as an outlier. Range: > 0. Default: 0.5.
+   */
+  vtkSetMacro(GaussianWidth, double);
+  vtkGetMacro(GaussianWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Multiply the position weight of each point by the least radius ratio of its triangles, so that
+   * bad triangles may move more (section 5.2). Default: off.
+   */
+  vtkSetMacro(ModulateByTriangleQuality, vtkTypeBool);
+  vtkGetMacro(ModulateByTriangleQuality, vtkTypeBool);
+  vtkBooleanMacro(ModulateByTriangleQuality, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Also penalise motion along the normal of each point (Eqns. 14 and 15), which keeps the points
+   * closer to the surface. x, y and z then form one coupled system. Default: off.
+   */
+  vtkSetMacro(TangentPlaneConstraints, vtkTypeBool);
+  vtkGetMacro(TangentPlaneConstraints, vtkTypeBool);
+  vtkBooleanMacro(TangentPlaneConstraints, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the rows of Eqn. 15; no unit. Range: >= 0. Default: 1.
+   */
+  vtkSetMacro(TangentPlaneWeight, double);
+  vtkGetMacro(TangentPlaneWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the points on edges of exactly one triangle do. FIXED (0): they do not move and have no
+   * Laplacian row; neighbouring pieces of a cut surface still match. SLIDING (1): they move along
+   * the boundary curve, its ends, junctions and turns above 60 degrees stay. FREE (2): as inner
+   * points. Default: FIXED.
+   */
+  vtkSetMacro(BoundaryCondition, int);
+  vtkGetMacro(BoundaryCondition, int);
+  ///@}
+
+  ///@{
+  /**
+   * DIRECT (1): factorise the normal equations. ITERATIVE (2): conjugate gradients without forming
+   * them. AUTOMATIC (0): iterative, and direct if that does not reach the tolerance.
+   * Default: AUTOMATIC.
+   */
+  vtkSetMacro(SolverType, int);
+  vtkGetMacro(SolverType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Residual |b - A d| / |b| of the normal equations for the displacement d at which the iteration
+   * stops. 1e-6 leaves the points within about 1e-5 of the bounding-box diagonal of the exact
+   * solution, mostly much closer. Range: between 0 and 1. Default: 1e-6.
+   */
+  vtkSetMacro(Tolerance, double);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations after which the iterative solver gives up: AUTOMATIC then solves directly, ITERATIVE
+   * keeps the best it has and warns with the residual. Range: > 0. Default: 5000.
+   */
+  vtkSetMacro(MaximumNumberOfIterations, int);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Recompute the point normals if the input has them: area-weighted, in the direction in which the
+   * triangles are counter-clockwise. Off: the input's normals pass through. Default: on.
+   */
+  vtkSetMacro(ComputeNormals, vtkTypeBool);
+  vtkGetMacro(ComputeNormals, vtkTypeBool);
+  vtkBooleanMacro(ComputeNormals, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
+   * triangles. Valid after Update(), as all figures below; those of the last block if the input is
+   * composite.
+   */
+  vtkGetMacro(MeanRadiusRatio, double);
+  vtkGetMacro(MinimumRadiusRatio, double);
+  vtkGetMacro(InputMeanRadiusRatio, double);
+  vtkGetMacro(InputMinimumRadiusRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Length of the longest displacement, in the mesh's unit and divided by the diagonal of the
+   * bounding box. Every point of the new surface is within this distance of the old one.
+   */
+  vtkGetMacro(MaximumDisplacement, double);
+  vtkGetMacro(RelativeMaximumDisplacement, double);
+  ///@}
+
+  /**
+   * (new volume - old volume) / |old volume| of a closed surface; 0 if the surface is open, which
+   * has no volume.
+   */
+  vtkGetMacro(RelativeVolumeChange, double);
+
+  /**
+   * Number of triangles whose normal turned by more than a right angle.
+   */
+  vtkGetMacro(FlippedTriangles, vtkIdType);
+
+  /**
+   * Iterations of the iterative solver; 0 if the system was solved directly from the start.
+   */
+  vtkGetMacro(Iterations, int);
+
+  /**
+   * |b - A d| / |b| of the solution, computed from the equations.
+   */
+  vtkGetMacro(RelativeResidual, double);
+
+protected:
+  vtkLaplacianMeshOptimizer();
+  ~vtkLaplacianMeshOptimizer() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int Mode = OPTIMIZE_TRIANGLES;
+  int LaplacianType = UNIFORM;
+  int PositionWeighting = CDF;
+  double ScaleFactor = 1;
+  int LaplacianWeighting = CONSTANT;
+  double GaussianWidth = 0.5;
+  vtkTypeBool ModulateByTriangleQuality = 0;
+  vtkTypeBool TangentPlaneConstraints = 0;
+  double TangentPlaneWeight = 1;
+  int BoundaryCondition = FIXED;
+  int SolverType = AUTOMATIC;
+  double Tolerance = 1e-6;
+  int MaximumNumberOfIterations = 5000;
+  vtkTypeBool ComputeNormals = 1;
+
+  double MeanRadiusRatio = -1;
+  double MinimumRadiusRatio = -1;
+  double InputMeanRadiusRatio = -1;
+  double InputMinimumRadiusRatio = -1;
+  double MaximumDisplacement = 0;
+  double RelativeMaximumDisplacement = 0;
+  double RelativeVolumeChange = 0;
+  vtkIdType FlippedTriangles = 0;
+  int Iterations = 0;
+  double RelativeResidual = 0;
+
+private:
+  vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
+  void operator=(const vtkLaplacianMeshOptimizer&) = delete;
+
+  struct Worker;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkMeshLaplacian
+ * @brief   discrete Laplacians and curvatures of a triangle mesh as point data
+ *
+ * Section 3 of "Laplacian Mesh Optimization" (Nealen et al. 2006) as arrays, in double. All three
+ * Laplacians point to the inner side of a convex surface.
+ *
+ * - `UniformLaplacian` (3): delta_u, mean of the one-ring minus the point (Eqns. 1 to 3, 6).
+ * - `CotangentLaplacian` (3): delta_c, the same mean with normalised cotangent weights (Eqn. 4).
+ * - `MeanCurvatureNormal` (3): kappa n, Eqn. 7; 1 / length.
+ * - `MeanCurvature`: its length, 1 / length; below 1e-6 / bounding-box diagonal it is 0.
+ * - `GaussianCurvature`: angle defect divided by `VoronoiArea`; 1 / length^2.
+ * - `VoronoiArea`: mixed Voronoi area (Meyer et al. 2003); their sum is the area of the surface.
+ *
+ * Boundary points take the mean curvatures and the Gaussian curvature as means over their inner
+ * neighbours, 0 if they have none. Points that no triangle uses have 0 everywhere. Vertices, lines
+ * and triangle strips may stand beside the triangles; polygons with more than three corners are an
+ * error: use vtkTriangleFilter first.
+ *
+ * @sa vtkLaplacianMeshOptimizer vtkCurvatures
+ */
+#ifndef vtkMeshLaplacian_h
+#define vtkMeshLaplacian_h
+
+#include "vtkFiltersLaplacianMeshModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class VTKFILTERSLAPLACIANMESH_EXPORT vtkMeshLaplacian : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkMeshLaplacian* New();
+  vtkTypeMacro(vtkMeshLaplacian, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+protected:
+  vtkMeshLaplacian() = default;
+  ~vtkMeshLaplacian() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkMeshLaplacian(const vtkMeshLaplacian&) = delete;
+  void operator=(const vtkMeshLaplacian&) = delete;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

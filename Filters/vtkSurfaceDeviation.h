@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkSurfaceDeviation
+ * @brief   distance of a surface to a reference surface, both ways
+ *
+ * Measures how far the triangles of input port 0 are from those of the reference on port 1 and
+ * back, as Metro does (P. Cignoni, C. Rocchini, R. Scopigno, Computer Graphics Forum 1998): at the
+ * points of both surfaces and at samples inside their triangles that are distributed evenly over
+ * the area. Each distance is that to the closest point of the other surface's triangles, not of its
+ * points.
+ *
+ * Output: the input of port 0 with point array `Distance` (to the reference, in the mesh's unit)
+ * and field arrays of one value with the names of the Get methods. Both inputs may hold vertices,
+ * lines and triangle strips; polygons with more than three corners are an error: use
+ * vtkTriangleFilter first. A reference without triangles is an error unless the input has none
+ * either.
+ *
+ * @sa vtkHausdorffDistancePointSetFilter
+ */
+#ifndef vtkSurfaceDeviation_h
+#define vtkSurfaceDeviation_h
+
+#include "vtkFiltersLaplacianMeshModule.h" // for export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class VTKFILTERSLAPLACIANMESH_EXPORT vtkSurfaceDeviation : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkSurfaceDeviation* New();
+  vtkTypeMacro(vtkSurfaceDeviation, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * The surface on port 1.
+   */
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
+  void SetReferenceData(vtkPolyData* reference);
+
+  ///@{
+  /**
+   * Samples on each of the two surfaces, beside their points. Range: > 0. Default: 100000.
+   */
+  vtkSetMacro(NumberOfSamples, int);
+  vtkGetMacro(NumberOfSamples, int);
+  ///@}
+
+  ///@{
+  /**
+   * Largest distance found in either direction: a lower bound of the two-sided Hausdorff distance.
+   * In the mesh's unit, and divided by the bounding-box diagonal of the reference. Valid after
+   * Update(), as the means.
+   */
+  vtkGetMacro(HausdorffDistance, double);
+  vtkGetMacro(RelativeHausdorffDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Average of the two directions' mean distances over the area.
+   */
+  vtkGetMacro(MeanDistance, double);
+  vtkGetMacro(RelativeMeanDistance, double);
+  ///@}
+
+protected:
+  vtkSurfaceDeviation();
+  ~vtkSurfaceDeviation() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int NumberOfSamples = 100000;
+  double HausdorffDistance = 0;
+  double RelativeHausdorffDistance = 0;
+  double MeanDistance = 0;
+  double RelativeMeanDistance = 0;
+
+private:
+  vtkSurfaceDeviation(const vtkSurfaceDeviation&) = delete;
+  void operator=(const vtkSurfaceDeviation&) = delete;
+
+  void Compare(vtkPolyData* surface, vtkPolyData* reference, vtkPolyData* output);
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

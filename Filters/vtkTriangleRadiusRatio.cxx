@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTriangleRadiusRatio.h"
+
+#include "Core/Quality.h"
+#include "Private/FilterSupport.h"
+#include "Private/PolyDataConversion.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+vtkStandardNewMacro(vtkTriangleRadiusRatio);
+
+int vtkTriangleRadiusRatio::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  return lmo::RunFilter(this, output,
+    [&]
+    {
+      const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+      const lmo::Vector ratios = lmo::RadiusRatios(mesh.points, mesh.triangles);
+      const lmo::QualitySummary summary = lmo::Summarize(ratios);
+      this->MeanRadiusRatio = summary.mean;
+      this->MinimumRadiusRatio = summary.minimum;
+      output->ShallowCopy(input);
+      lmo::AddRadiusRatios("RadiusRatio", mesh, ratios, output);
+      output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", summary.mean));
+      output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", summary.minimum));
+    });
+}
+
+void vtkTriangleRadiusRatio::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeanRadiusRatio: " << this->MeanRadiusRatio << "\n";
+  os << indent << "MinimumRadiusRatio: " << this->MinimumRadiusRatio << "\n";
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
