@@ -10,8 +10,10 @@
 #include <Eigen/SparseCholesky>
 #endif
 #ifdef LMO_USE_METIS
+// MetisSupport uses std::cerr without including it.
+#include <iostream>
+
 #include <Eigen/MetisSupport>
-#include <iostream> // MetisSupport uses std::cerr without it
 #endif
 
 namespace lmo
