@@ -115,6 +115,12 @@ if (LMO_PARAVIEW)
     LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
   set(lmo_plugin_dir
     "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/LaplacianMeshOptimization")
+  # paraview.simple.LoadPlugin() takes a file: this one has the plugin's name.
+  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/${lmo_plugin_dir}")
+  set(lmo_plugin_link "${PROJECT_BINARY_DIR}/${lmo_plugin_dir}/LaplacianMeshOptimization")
+  file(CREATE_LINK "LaplacianMeshOptimization${CMAKE_SHARED_MODULE_SUFFIX}" "${lmo_plugin_link}"
+    SYMBOLIC)
+  install(FILES "${lmo_plugin_link}" DESTINATION "${lmo_plugin_dir}")
 endif ()
 
 # --- The environment in which python, pvpython and LoadPlugin find what was built ----------------
@@ -143,6 +149,12 @@ install(
     "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
   DESTINATION "${lmo_cmake_destination}")
 
+# --- Tests that need the whole build -------------------------------------------------------------
 if (BUILD_TESTING)
-  add_subdirectory(Testing/Standalone)
+  if (LMO_WRAP_PYTHON)
+    add_subdirectory(Testing/Python)
+  endif ()
+  if (LMO_PARAVIEW)
+    add_subdirectory(Testing/ParaView)
+  endif ()
 endif ()

@@ -1,0 +1,29 @@
+# Sourced by the scripts: install_packages PACKAGE... installs what is missing, on Debian and Ubuntu.
+install_packages() {
+  local missing=()
+  local package
+  for package in "$@"; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing+=("$package")
+  done
+  [ ${#missing[@]} -eq 0 ] && return
+  echo "Installing ${#missing[@]} packages: ${missing[*]}"
+  local root=()
+  [ "$(id -u)" -eq 0 ] || root=(sudo)
+  local log
+  log=$(mktemp)
+  if ! { "${root[@]}" apt-get update -qq &&
+    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+      apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    echo "The packages could not be installed." >&2
+    exit 1
+  fi
+  rm -f "$log"
+}
+
+# What a build against ParaView needs, what running it without a screen needs, and what the tests need.
+build_packages=(g++ cmake ninja-build libeigen3-dev libmetis-dev paraview-dev python3-paraview
+  python3-dev python3-numpy libopenmpi-dev libdouble-conversion-dev)
+display_packages=(xvfb xauth libgl1-mesa-dri)
+test_packages=(paraview mpi-default-bin imagemagick)

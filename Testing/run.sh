@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Builds the module, the Python package and the plugin in build/, and runs all tests. Installs what
+# it needs on Debian and Ubuntu. Arguments go to ctest: bash Testing/run.sh -R Core
+#   LMO_REAL_MESHES=DIR  folder of real meshes that are measured too
+set -euo pipefail
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build_dir="$source_dir/build"
+
+. "$source_dir/CMake/install-packages.sh"
+install_packages "${build_packages[@]}" "${display_packages[@]}" "${test_packages[@]}"
+
+cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
+  -DBUILD_TESTING=ON -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null
+cmake --build "$build_dir" -j2
+ctest --test-dir "$build_dir" --output-on-failure "$@"
