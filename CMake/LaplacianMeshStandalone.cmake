@@ -151,6 +151,7 @@ install(
 
 # --- Tests that need the whole build -------------------------------------------------------------
 if (BUILD_TESTING)
+  add_subdirectory(Testing/Package)
   if (LMO_WRAP_PYTHON)
     add_subdirectory(Testing/Python)
   endif ()

@@ -1,0 +1,19 @@
+# Installs the build into a prefix, then configures, builds and runs a program against it.
+function (run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  message("${output}")
+  if (NOT result EQUAL 0)
+    message(FATAL_ERROR "failed: ${ARGV}")
+  endif ()
+endfunction ()
+
+set(prefix "${WORK_DIR}/prefix")
+set(consumer "${WORK_DIR}/consumer")
+file(REMOVE_RECURSE "${prefix}" "${consumer}")
+run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${consumer}" -G "${GENERATOR}"
+  "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
+  "-DLaplacianMesh_DIR=${prefix}/${PACKAGE_DIR}"
+  "-D${BASE_PACKAGE}_DIR=${BASE_PACKAGE_DIR}")
+run("${CMAKE_COMMAND}" --build "${consumer}")
+run("${consumer}/OptimizeMesh")
