@@ -24,5 +24,5 @@ cmake --build "$build_dir" | grep -v 'no work to do' || true
 . "$build_dir/setup-env.sh"
 
 runner=()
-[ -n "${DISPLAY:-}" ] || runner=(xvfb-run -a -s '-screen 0 1600x1200x24')
+[ -n "${DISPLAY:-}" ] || runner=(xvfb-run -a -s '-screen 0 1600x1200x24 -noreset')
 exec "${runner[@]}" pvpython "$here/optimize.py" "$@"

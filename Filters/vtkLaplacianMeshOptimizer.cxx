@@ -3,8 +3,6 @@
 #include "vtkLaplacianMeshOptimizer.h"
 
 #include "Core/Optimizer.h"
-#include "Core/SurfaceComparison.h"
-#include "Core/TriangleGeometry.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 
@@ -49,10 +47,16 @@ void CheckNumber(const char* name, double value, bool isValid, const char* range
 }
 }
 
-/// The part of RequestData() that needs the numerics' types.
-struct vtkLaplacianMeshOptimizer::Worker
+/// What needs the numerics' types. The optimizer is kept for the next execution, which often differs
+/// in a property alone.
+struct vtkLaplacianMeshOptimizer::Internals
 {
   vtkLaplacianMeshOptimizer* Filter;
+
+  vtkPolyData* Input = nullptr; ///< that Optimizer holds, to be compared only
+  vtkMTimeType InputTime = 0;
+  lmo::TriangleCells TriangleCells;
+  std::unique_ptr<lmo::Optimizer> Optimizer;
 
   /// \throw lmo::InputError if a property is out of range.
   lmo::OptimizerOptions ReadOptions() const;
@@ -63,24 +67,28 @@ struct vtkLaplacianMeshOptimizer::Worker
 
   lmo::VertexArrays ReadArrays(vtkPolyData* input) const;
 
-  void Execute(vtkPolyData* input, vtkPolyData* output) const;
+  void Execute(vtkPolyData* input, vtkPolyData* output);
 
-  void WritePoints(const lmo::SurfaceMesh& mesh, lmo::OptimizerResult& result, vtkPolyData* input,
-    vtkPolyData* output) const;
+  /// Makes Optimizer hold the input.
+  void Prepare(vtkPolyData* input);
 
-  /// Sets the figures that the Get methods return and adds the arrays of the radius ratio.
-  void CompareSurfaces(
-    const lmo::SurfaceMesh& mesh, const lmo::OptimizerResult& result, vtkPolyData* output) const;
+  void WritePoints(
+    const lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const;
 
-  void WriteFigures(vtkFieldData* fieldData) const;
+  /// Sets the figures that the Get methods return and adds them to the field data.
+  void WriteFigures(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
 };
 
 vtkStandardNewMacro(vtkLaplacianMeshOptimizer);
 
-vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer() = default;
+vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
+  : State(new Internals{ this })
+{
+}
+
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
 
-lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Worker::ReadOptions() const
+lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   CheckEnumeration("Mode", filter.Mode, 3);
@@ -115,25 +123,28 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Worker::ReadOptions() const
   return options;
 }
 
-vtkDataArray* vtkLaplacianMeshOptimizer::Worker::FindArray(int index, vtkPolyData* input) const
+vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPolyData* input) const
 {
   vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   // ParaView's choice of no array is the name "None".
-  if (!name || !*name || std::strcmp(name, "None") == 0)
+  const bool isNamed = name && *name && std::strcmp(name, "None") != 0;
+  if (!isNamed && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
     return nullptr;
   }
-  vtkDataArray* array = input->GetPointData()->GetArray(name);
-  if (!array)
+  int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+  vtkDataArray* array = this->Filter->GetInputArrayToProcess(index, input, association);
+  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
-    throw lmo::InputError("There is no numeric point array '" + std::string(name) +
-                          "'. Choose one that the input has.");
+    throw lmo::InputError("There is no numeric point array '" +
+      std::string(isNamed ? name : "of the chosen attribute") +
+      "'. Choose one that the input has.");
   }
   return array;
 }
 
-lmo::VertexArrays vtkLaplacianMeshOptimizer::Worker::ReadArrays(vtkPolyData* input) const
+lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(vtkPolyData* input) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   const vtkIdType points = input->GetNumberOfPoints();
@@ -165,59 +176,69 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Worker::ReadArrays(vtkPolyData* inp
   return arrays;
 }
 
-void vtkLaplacianMeshOptimizer::Worker::Execute(vtkPolyData* input, vtkPolyData* output) const
+void vtkLaplacianMeshOptimizer::Internals::Prepare(vtkPolyData* input)
 {
-  const lmo::OptimizerOptions options = this->ReadOptions();
-  const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+  if (this->Optimizer && this->Input == input && this->InputTime == input->GetMTime())
+  {
+    return;
+  }
+  this->Optimizer.reset();
+  lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+  this->TriangleCells = std::move(mesh.triangleCells);
+  this->Optimizer =
+    std::make_unique<lmo::Optimizer>(std::move(mesh.points), std::move(mesh.triangles));
+  this->Input = input;
+  this->InputTime = input->GetMTime();
+}
+
+void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyData* output)
+{
+  lmo::OptimizerOptions options = this->ReadOptions();
+  const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
+  options.computeNormals = this->Filter->ComputeNormals && hasNormals;
+  options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
   const lmo::VertexArrays arrays = this->ReadArrays(input);
+  this->Prepare(input);
 
   lmo::FilterMonitor monitor(this->Filter);
-  lmo::OptimizerResult result =
-    lmo::Optimize(mesh.points, mesh.triangles, options, arrays, monitor);
-  this->Filter->Iterations = result.iterations;
-  this->Filter->RelativeResidual = result.relativeResidual;
-  if (result.relativeResidual > options.solver.tolerance)
+  const lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
+  if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,
       "The solver stopped at the relative residual "
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
-
   output->ShallowCopy(input);
-  this->WritePoints(mesh, result, input, output);
-  this->CompareSurfaces(mesh, result, output);
-  this->WriteFigures(output->GetFieldData());
+  this->WritePoints(result, input, output);
+  this->WriteFigures(result, output->GetFieldData());
 }
 
-void vtkLaplacianMeshOptimizer::Worker::WritePoints(const lmo::SurfaceMesh& mesh,
-  lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const
+void vtkLaplacianMeshOptimizer::Internals::WritePoints(
+  const lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const
 {
   if (input->GetPoints())
   {
     output->SetPoints(lmo::MakePoints(result.positions, input->GetPoints()));
-    result.positions = lmo::ReadPoints(output->GetPoints());
   }
   vtkPointData* pointData = output->GetPointData();
   pointData->AddArray(lmo::MakeArray("MeanCurvature", result.meanCurvatures));
   pointData->AddArray(lmo::MakeArray("PositionWeight", result.positionWeights));
   pointData->AddArray(lmo::MakeArray("LaplacianWeight", result.laplacianWeights));
-  pointData->AddArray(lmo::MakeArray("Displacement", lmo::Points(result.positions - mesh.points)));
-  if (this->Filter->ComputeNormals && pointData->GetNormals())
+  pointData->AddArray(lmo::MakeArray("Displacement", result.displacements));
+  if (result.normals.rows() > 0)
   {
-    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(),
-      lmo::VertexNormals(result.positions, mesh.triangles, *result.topology)));
+    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
   }
+  lmo::AddRadiusRatios(
+    "InputRadiusRatio", result.comparison.before, this->TriangleCells, output);
+  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, this->TriangleCells, output);
 }
 
-void vtkLaplacianMeshOptimizer::Worker::CompareSurfaces(
-  const lmo::SurfaceMesh& mesh, const lmo::OptimizerResult& result, vtkPolyData* output) const
+void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
+  const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
 {
-  const lmo::SurfaceComparison comparison =
-    lmo::CompareSurfaces(mesh.points, result.positions, mesh.triangles, *result.topology);
-  lmo::AddRadiusRatios("InputRadiusRatio", mesh, comparison.radiusRatiosBefore, output);
-  lmo::AddRadiusRatios("RadiusRatio", mesh, comparison.radiusRatiosAfter, output);
-
+  const lmo::SurfaceComparison& comparison = result.comparison;
   vtkLaplacianMeshOptimizer& filter = *this->Filter;
   filter.MeanRadiusRatio = comparison.after.mean;
   filter.MinimumRadiusRatio = comparison.after.minimum;
@@ -227,11 +248,8 @@ void vtkLaplacianMeshOptimizer::Worker::CompareSurfaces(
   filter.RelativeMaximumDisplacement = comparison.relativeMaximumDisplacement;
   filter.RelativeVolumeChange = comparison.relativeVolumeChange;
   filter.FlippedTriangles = comparison.flippedTriangles;
-}
-
-void vtkLaplacianMeshOptimizer::Worker::WriteFigures(vtkFieldData* fieldData) const
-{
-  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
+  filter.Iterations = result.iterations;
+  filter.RelativeResidual = result.relativeResidual;
   const std::pair<const char*, double> figures[] = {
     { "MeanRadiusRatio", filter.MeanRadiusRatio },
     { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
@@ -255,7 +273,7 @@ int vtkLaplacianMeshOptimizer::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, output, [&] { Worker{ this }.Execute(input, output); });
+  return lmo::RunFilter(this, input, output, [&] { this->State->Execute(input, output); });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

@@ -43,6 +43,8 @@
 #include "vtkFiltersLaplacianMeshModule.h" // for export macro
 #include "vtkPolyDataAlgorithm.h"
 
+#include <memory>
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
@@ -334,7 +336,8 @@ private:
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkLaplacianMeshOptimizer&) = delete;
 
-  struct Worker;
+  struct Internals;
+  std::unique_ptr<Internals> State;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -3,7 +3,7 @@
 #include "vtkMeshLaplacian.h"
 
 #include "Core/Curvature.h"
-#include "Core/Laplacian.h"
+#include "Core/MeshAnalysis.h"
 #include "Core/TriangleGeometry.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
@@ -23,28 +23,23 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(const lmo::SurfaceMesh& mesh, vtkPointData* pointData)
+void AddLaplacians(lmo::MeshAnalysis& mesh, vtkPointData* pointData)
 {
-  const lmo::Points& V = mesh.points;
-  const auto topology = std::make_shared<const lmo::MeshTopology>(
-    lmo::BuildTopology(static_cast<lmo::Index>(V.rows()), mesh.triangles));
-  const std::shared_ptr<const lmo::AdjacencyLists> oneRings(topology, &topology->oneRings);
-  const lmo::CornerValues cotangents = lmo::Cotangents(V, mesh.triangles);
-  const auto edgeWeights = lmo::CotangentEdgeWeights(*topology, mesh.triangles, cotangents);
-  const lmo::Vector areas = lmo::MixedVoronoiAreas(V, mesh.triangles, *topology, cotangents);
-  const lmo::Points curvatureNormals = lmo::MeanCurvatureNormals(
-    lmo::MeanCurvatureLaplacian(oneRings, edgeWeights, areas), V, *topology);
+  const lmo::Points& V = mesh.GetPoints();
+  const lmo::MeshTopology& topology = mesh.GetTopology();
+  const auto laplacian = [&](lmo::LaplacianType type)
+  { return lmo::Apply(mesh.GetLaplacian(type), V); };
 
   pointData->AddArray(
-    lmo::MakeArray("UniformLaplacian", lmo::Apply(lmo::UniformLaplacian(oneRings), V)));
-  pointData->AddArray(lmo::MakeArray(
-    "CotangentLaplacian", lmo::Apply(lmo::CotangentLaplacian(oneRings, edgeWeights), V)));
-  pointData->AddArray(lmo::MakeArray("MeanCurvatureNormal", curvatureNormals));
-  pointData->AddArray(lmo::MakeArray("MeanCurvature",
-    lmo::MeanCurvatures(curvatureNormals, lmo::BoundingBoxDiagonal(V, *topology), *topology)));
+    lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
+  pointData->AddArray(
+    lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
+  pointData->AddArray(lmo::MakeArray("MeanCurvatureNormal", mesh.GetMeanCurvatureNormals()));
+  pointData->AddArray(lmo::MakeArray("MeanCurvature", mesh.GetMeanCurvatures()));
   pointData->AddArray(lmo::MakeArray("GaussianCurvature",
-    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.triangles, *topology), areas, *topology)));
-  pointData->AddArray(lmo::MakeArray("VoronoiArea", areas));
+    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology),
+      mesh.GetVoronoiAreas(), topology)));
+  pointData->AddArray(lmo::MakeArray("VoronoiArea", mesh.GetVoronoiAreas()));
 }
 }
 
@@ -53,10 +48,11 @@ int vtkMeshLaplacian::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, output,
+  return lmo::RunFilter(this, input, output,
     [&]
     {
-      const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+      lmo::SurfaceMesh surface = lmo::ReadMesh(input);
+      lmo::MeshAnalysis mesh(std::move(surface.points), std::move(surface.triangles));
       output->ShallowCopy(input);
       AddLaplacians(mesh, output->GetPointData());
     });

@@ -194,7 +194,7 @@ int vtkSurfaceDeviation::RequestData(
   vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, output, [&] { this->Compare(surface, reference, output); });
+  return lmo::RunFilter(this, surface, output, [&] { this->Compare(surface, reference, output); });
 }
 
 void vtkSurfaceDeviation::PrintSelf(ostream& os, vtkIndent indent)

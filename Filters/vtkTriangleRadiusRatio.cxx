@@ -24,18 +24,17 @@ int vtkTriangleRadiusRatio::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, output,
+  return lmo::RunFilter(this, input, output,
     [&]
     {
       const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
-      const lmo::Vector ratios = lmo::RadiusRatios(mesh.points, mesh.triangles);
-      const lmo::QualitySummary summary = lmo::Summarize(ratios);
-      this->MeanRadiusRatio = summary.mean;
-      this->MinimumRadiusRatio = summary.minimum;
+      const lmo::MeshQuality quality = lmo::MeasureQuality(mesh.points, mesh.triangles);
+      this->MeanRadiusRatio = quality.mean;
+      this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);
-      lmo::AddRadiusRatios("RadiusRatio", mesh, ratios, output);
-      output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", summary.mean));
-      output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", summary.minimum));
+      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.triangleCells, output);
+      output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", quality.mean));
+      output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
     });
 }
 

@@ -3,15 +3,84 @@
 #ifndef lmo_ConjugateGradient_h
 #define lmo_ConjugateGradient_h
 
-#include "LinearSolver.h"
+#include "Monitor.h"
+#include "Preconditioner.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace lmo
 {
-/// Preconditioned conjugate gradients from d = 0, on x, y and z at once. Independent coordinates
-/// have step lengths of their own and share the stopping test.
-/// \throw Cancelled if the monitor says so; it is asked in every iteration.
-Solution SolveIteratively(const NormalEquations& equations, const Points& b,
-  const Preconditioner& preconditioner, const SolverOptions& options, Monitor& monitor);
+struct SolverOptions
+{
+  double tolerance = 1e-6;        ///< |b - A d| / |b| at which an iterative solver stops, in (0, 1)
+  Index maximumIterations = 5000; ///< > 0
+};
+
+struct Solution
+{
+  Points displacement;         ///< d = V' - V
+  Index iterations = 0;        ///< 0 from a direct solver
+  double relativeResidual = 0; ///< |b - A d| / |b|, computed from the problem and d
+};
+
+/// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
+/// lengths of their own and share the stopping test. Search directions have the precision of Scalar;
+/// d and, from time to time, the residual are computed in double (residual replacement, van der
+/// Vorst and Ye 2000), so that single precision reaches any tolerance at half the memory traffic.
+template <typename Scalar, typename Preconditioner>
+class ConjugateGradient
+{
+public:
+  /// Keeps references to the arguments.
+  ConjugateGradient(
+    const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M);
+
+  /// Improves \a solution until it meets the tolerance, the iterations are used up or the precision
+  /// of Scalar allows no progress.
+  /// \param rightHandSideNorm |b|, > 0
+  /// \throw Cancelled if the monitor says so; it is asked in every iteration.
+  void Run(double rightHandSideNorm, const SolverOptions& options, Monitor& monitor,
+    Solution& solution);
+
+private:
+  using Row = PackedRow<Scalar>;
+
+  /// A residual this much smaller than the last one computed in double is computed anew.
+  static constexpr double ReplacementRatio = 1e-3;
+
+  /// Computes the residual of d and its inner product with M^-1 r.
+  /// \return its norm
+  double ReplaceResidual(const Points& d);
+
+  /// r -= alpha A p
+  /// \return the norm of r
+  double UpdateResidual();
+
+  /// d += the steps since the last call
+  void Collect(Points& d);
+
+  void UpdateDirection(const Dots& beta);
+
+  Dots Couple(const Dots& dots) const
+  {
+    return this->IsCoupled ? Dots(Dots::Constant(dots.sum())) : dots;
+  }
+
+  const LeastSquaresProblem& Problem;
+  PackedEquations<Scalar>& A;
+  Preconditioner& M;
+  const bool IsCoupled;
+  double Scale = 1; ///< |b|, the unit of the packed vectors
+  PackedPoints<Scalar> Residual;
+  PackedPoints<Scalar> Direction;
+  PackedPoints<Scalar> Product; ///< A times Direction
+  PackedPoints<Scalar> Steps;   ///< sum of alpha p not yet in d
+  Dots Alpha = Dots::Zero();
+  Dots Rho = Dots::Zero(); ///< r M^-1 r
+};
 }
+
+#include "ConjugateGradient.txx"
 
 #endif

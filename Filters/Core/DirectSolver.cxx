@@ -32,18 +32,8 @@ using Factorisation = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;
 using Factorisation = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering>;
 #endif
 
-template <typename Values>
-Values FactoriseAndSolve(const SparseMatrix& A, const Values& b)
+[[noreturn]] void ThrowSingular()
 {
-  Factorisation factorisation(A);
-  if (factorisation.info() == Eigen::Success)
-  {
-    Values x = factorisation.solve(b);
-    if (factorisation.info() == Eigen::Success && x.allFinite())
-    {
-      return x;
-    }
-  }
   throw SolverError("The linear system is singular: the weights leave some points undetermined. "
                     "Give them position weights, or use the iterative solver.");
 }
@@ -68,11 +58,45 @@ void EliminateFixed(const MotionConstraints& motion, SparseMatrix& A)
   }
 }
 
+/// K Q K + line rows + W_p^2, n x n.
+SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
+{
+  const Index size = problem.Size();
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index i = 0; i < size; ++i)
+  {
+    entries.emplace_back(i, i, problem.positionWeights[i] * problem.positionWeights[i]);
+  }
+  for (const LineRow& row : problem.lineRows)
+  {
+    const Index ids[3] = { row.previous, row.vertex, row.next };
+    const double values[3] = { 0.5 * row.weight, -row.weight, 0.5 * row.weight };
+    for (int a = 0; a < 3; ++a)
+    {
+      for (int b = 0; b < 3; ++b)
+      {
+        entries.emplace_back(ids[a], ids[b], values[a] * values[b]);
+      }
+    }
+  }
+  SparseMatrix A(size, size);
+  A.setFromTriplets(entries.begin(), entries.end());
+  Vector Q(size);
+  for (Index i = 0; i < size; ++i)
+  {
+    Q[i] = RowWeight(problem, i);
+  }
+  const SparseMatrix K = StiffnessMatrix(problem.L);
+  const SparseMatrix QK = Q.asDiagonal() * K;
+  return A + SparseMatrix(K * QK);
+}
+
 /// P (A kron I + w^2 n n^T) P + (I - P), where P projects on the motion allowed; vertex i has the
 /// rows 3i, 3i + 1, 3i + 2.
-SparseMatrix FormCoupledMatrix(const NormalEquations& equations, const SparseMatrix& A)
+SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseMatrix& A)
 {
-  const MotionConstraints& motion = equations.GetProblem().motion;
+  const MotionConstraints& motion = problem.motion;
+  const bool hasPlanes = problem.tangentPlaneNormals.rows() > 0;
   std::vector<Eigen::Triplet<double, Index>> entries;
   entries.reserve(9 * A.nonZeros());
   for (Index j = 0; j < A.cols(); ++j)
@@ -80,16 +104,17 @@ SparseMatrix FormCoupledMatrix(const NormalEquations& equations, const SparseMat
     for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
     {
       const Index i = entry.row();
+      Matrix3 block = entry.value() * Matrix3::Identity();
+      if (i == j && hasPlanes)
+      {
+        const Vector3 normal = problem.tangentPlaneWeight * problem.tangentPlaneNormals.row(i);
+        block += normal.transpose() * normal;
+      }
       for (int d = 0; d < 3; ++d)
       {
         const Vector3 unit = Vector3::Unit(d);
         const Vector3 allowed = motion.Project(j, unit);
-        Vector3 column = entry.value() * allowed;
-        if (i == j)
-        {
-          column += equations.ApplyTangentPlane(i, allowed);
-        }
-        column = motion.Project(i, column);
+        Vector3 column = motion.Project(i, allowed * block);
         if (i == j)
         {
           column += unit - allowed;
@@ -110,31 +135,36 @@ SparseMatrix FormCoupledMatrix(const NormalEquations& equations, const SparseMat
 }
 }
 
-SparseMatrix FormMatrix(const NormalEquations& equations)
+Points SolveDirectly(const LeastSquaresProblem& problem)
 {
-  const LeastSquaresProblem& problem = equations.GetProblem();
-  SparseMatrix A(equations.Size(), equations.Size());
-  A.setIdentity();
-  A = Vector(problem.positionWeights.array().square()).asDiagonal() * A;
-  for (std::size_t term = 0; term < problem.terms.size(); ++term)
+  SparseMatrix A = FormMatrix(problem);
+  EliminateFixed(problem.motion, A);
+  const bool isCoupled = problem.IsCoupled();
+  const Factorisation factorisation(isCoupled ? FormCoupledMatrix(problem, A) : A);
+  if (factorisation.info() != Eigen::Success)
   {
-    const SparseMatrix K = StiffnessMatrix(problem.terms[term].L);
-    const SparseMatrix weighted = equations.RowWeights(term).asDiagonal() * K;
-    A += SparseMatrix(K * weighted);
+    ThrowSingular();
   }
-  return A;
-}
-
-Points SolveDirectly(const NormalEquations& equations, const Points& b)
-{
-  SparseMatrix A = FormMatrix(equations);
-  EliminateFixed(equations.GetProblem().motion, A);
-  if (!equations.IsCoupled())
+  Points d = Points::Zero(problem.Size(), 3);
+  // The second step removes most of what the formation of L^T L cost in digits.
+  for (int step = 0; step < 2; ++step)
   {
-    return FactoriseAndSolve(A, b);
+    const Points residual = Residual(problem, d);
+    if (isCoupled)
+    {
+      const Eigen::Map<const Vector> stacked(residual.data(), residual.size());
+      const Vector correction = factorisation.solve(stacked);
+      d += Eigen::Map<const Points>(correction.data(), residual.rows(), 3);
+    }
+    else
+    {
+      d += factorisation.solve(residual);
+    }
   }
-  const Vector stacked = Eigen::Map<const Vector>(b.data(), b.size());
-  const Vector x = FactoriseAndSolve(FormCoupledMatrix(equations, A), stacked);
-  return Eigen::Map<const Points>(x.data(), b.rows(), 3);
+  if (!d.allFinite())
+  {
+    ThrowSingular();
+  }
+  return d;
 }
 }

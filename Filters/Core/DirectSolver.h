@@ -7,13 +7,10 @@
 
 namespace lmo
 {
-/// d = A^-1 b by a sparse factorisation of the normal equations: n x n for x, y and z at once, or
-/// 3n x 3n where they are coupled.
-/// \throw SolverError if A is singular.
-Points SolveDirectly(const NormalEquations& equations, const Points& b);
-
-/// A as a sparse matrix without regard to coupling: sum K Q K + W_p^2, n x n.
-SparseMatrix FormMatrix(const NormalEquations& equations);
+/// Solves the normal equations of a problem by a sparse factorisation: n x n for x, y and z at once,
+/// or 3n x 3n where they are coupled.
+/// \throw SolverError if the matrix is singular.
+Points SolveDirectly(const LeastSquaresProblem& problem);
 }
 
 #endif

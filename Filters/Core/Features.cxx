@@ -76,31 +76,6 @@ FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Po
   return features;
 }
 
-Laplacian LineLaplacian(const FeatureLines& features)
-{
-  Laplacian L = UniformLaplacian(features.lines);
-  for (std::size_t i = 0; i < features.pointClass.size(); ++i)
-  {
-    if (features.pointClass[i] != FeatureLines::EDGE)
-    {
-      L.rowScale[i] = 0;
-    }
-  }
-  return L;
-}
-
-Points AcrossLines(const FeatureLines& features, const Laplacian& lineLaplacian, const Points& V)
-{
-  Points across = Apply(lineLaplacian, V);
-  ParallelFor(static_cast<Index>(V.rows()),
-    [&](Index i)
-    {
-      const Vector3 tangent = features.tangents.row(i);
-      across.row(i) -= across.row(i).dot(tangent) * tangent;
-    });
-  return across;
-}
-
 void ProjectOntoLines(const FeatureLines& features, const Points& V, Points& moved)
 {
   ParallelFor(static_cast<Index>(V.rows()),

@@ -3,7 +3,9 @@
 #ifndef lmo_Features_h
 #define lmo_Features_h
 
-#include "Laplacian.h"
+#include "MeshTopology.h"
+
+#include <memory>
 
 namespace lmo
 {
@@ -23,12 +25,18 @@ struct FeatureLines
 
 FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Points& V);
 
-/// L_u of the lines: (v_previous + v_next) / 2 - v at each EDGE; the other rows are empty.
-Laplacian LineLaplacian(const FeatureLines& features);
-
-/// The part of L V across the line: as prescribed Laplacians it spreads the vertices along the line
-/// and leaves its shape alone.
-Points AcrossLines(const FeatureLines& features, const Laplacian& lineLaplacian, const Points& V);
+/// Calls visit(vertex, previous, next) for each EDGE.
+template <typename Visit>
+void ForEachLineVertex(const FeatureLines& features, const Visit& visit)
+{
+  for (Index i = 0; i < static_cast<Index>(features.pointClass.size()); ++i)
+  {
+    if (features.pointClass[i] == FeatureLines::EDGE)
+    {
+      visit(i, features.lines->Begin(i)[0], features.lines->Begin(i)[1]);
+    }
+  }
+}
 
 /// Moves each EDGE to the closest point of its line in \a V.
 /// \param moved vertices close to their line

@@ -45,18 +45,13 @@ std::shared_ptr<const Vector> CotangentEdgeWeights(
     [&](Index i)
     {
       double* row = weights->data() + rings.offsets[i];
-      for (const Index* t = topology.trianglesAt.Begin(i); t != topology.trianglesAt.End(i); ++t)
+      for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
       {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          if (triangles(*t, corner) != i)
-          {
-            // The angle across the edge from i to this corner is at the third corner.
-            const int next = (corner + 1) % 3;
-            const int across = triangles(*t, next) == i ? (corner + 2) % 3 : next;
-            row[rings.Find(i, triangles(*t, corner))] += cotangents(*t, across);
-          }
-        }
+        // The angle across the edge to the next vertex is at the previous corner.
+        const Index next = NextCorner(*c);
+        const Index previous = PreviousCorner(*c);
+        row[rings.Find(i, triangles.data()[next])] += cotangents.data()[previous];
+        row[rings.Find(i, triangles.data()[previous])] += cotangents.data()[next];
       }
     });
   return weights;

@@ -8,84 +8,82 @@
 
 namespace lmo
 {
-NormalEquations::NormalEquations(const LeastSquaresProblem& problem)
-  : Problem(problem)
-  , RowResiduals(problem.V.rows(), 3)
+namespace
 {
-  for (const LaplacianTerm& term : problem.terms)
+/// Adds weight^2 times the transpose of a line row times its residual.
+void AddLineRow(const LineRow& row, const Points& d, Points& residual)
+{
+  const Vector3 rowValue = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
+  const Vector3 force = row.weight * row.weight * (row.target - rowValue);
+  residual.row(row.previous) += 0.5 * force;
+  residual.row(row.next) += 0.5 * force;
+  residual.row(row.vertex) -= force;
+}
+
+Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i)
+{
+  const double weight = problem.positionWeights[i];
+  Vector3 force = -weight * weight * d.row(i);
+  if (problem.tangentPlaneNormals.rows() > 0)
   {
-    this->Q.emplace_back((term.L.rowScale.array() * term.weights.array()).square());
+    const Vector3 normal = problem.tangentPlaneNormals.row(i);
+    const double w = problem.tangentPlaneWeight;
+    force -= w * w * normal.dot(d.row(i)) * normal;
   }
+  return force;
+}
 }
 
-bool NormalEquations::IsCoupled() const
+Vector Diagonal(const LeastSquaresProblem& problem)
 {
-  return this->Problem.tangentPlaneNormals.rows() > 0 || this->Problem.motion.tangents.rows() > 0;
-}
-
-Points NormalEquations::RightHandSide() const
-{
-  Points b = Points::Zero(this->Size(), 3);
-  for (const LaplacianTerm& term : this->Problem.terms)
-  {
-    // L^T y = -K G y
-    Points y = term.target - lmo::Apply(term.L, this->Problem.V);
-    ParallelFor(this->Size(),
-      [&](Index i) { y.row(i) *= term.L.rowScale[i] * term.weights[i] * term.weights[i]; });
-    ParallelFor(this->Size(), [&](Index i) { b.row(i) -= StiffnessRow(term.L, y, i); });
-  }
-  ParallelFor(this->Size(), [&](Index i) { b.row(i) = this->Problem.motion.Project(i, b.row(i)); });
-  return b;
-}
-
-void NormalEquations::Apply(const Points& x, Points& result) const
-{
-  const Vector& Wp = this->Problem.positionWeights;
-  ParallelFor(this->Size(), [&](Index i)
-    { result.row(i) = Wp[i] * Wp[i] * x.row(i) + this->ApplyTangentPlane(i, x.row(i)); });
-  for (std::size_t term = 0; term < this->Q.size(); ++term)
-  {
-    const Laplacian& L = this->Problem.terms[term].L;
-    ParallelFor(this->Size(),
-      [&](Index i) { this->RowResiduals.row(i) = this->Q[term][i] * StiffnessRow(L, x, i); });
-    ParallelFor(
-      this->Size(), [&](Index i) { result.row(i) += StiffnessRow(L, this->RowResiduals, i); });
-  }
-  ParallelFor(
-    this->Size(), [&](Index i) { result.row(i) = this->Problem.motion.Project(i, result.row(i)); });
-}
-
-Vector NormalEquations::Diagonal() const
-{
-  Vector diagonal = this->Problem.positionWeights.array().square();
-  for (std::size_t term = 0; term < this->Q.size(); ++term)
-  {
-    const Laplacian& L = this->Problem.terms[term].L;
-    const AdjacencyLists& rings = *L.rings;
-    ParallelFor(this->Size(),
-      [&](Index i)
+  const Laplacian& L = problem.L;
+  const AdjacencyLists& rings = *L.rings;
+  Vector diagonal(problem.Size());
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    {
+      const double sum = WeightSum(L, i);
+      double value = problem.positionWeights[i] * problem.positionWeights[i] +
+        sum * sum * RowWeight(problem, i);
+      for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
       {
-        const double sum = WeightSum(L, i);
-        diagonal[i] += sum * sum * this->Q[term][i];
-        for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-        {
-          const double weight = L.edgeWeights ? (*L.edgeWeights)[k] : 1;
-          diagonal[i] += weight * weight * this->Q[term][rings.ids[k]];
-        }
-      });
+        const double weight = L.edgeWeights ? (*L.edgeWeights)[k] : 1;
+        value += weight * weight * RowWeight(problem, rings.ids[k]);
+      }
+      diagonal[i] = value;
+    });
+  for (const LineRow& row : problem.lineRows)
+  {
+    diagonal[row.previous] += 0.25 * row.weight * row.weight;
+    diagonal[row.next] += 0.25 * row.weight * row.weight;
+    diagonal[row.vertex] += row.weight * row.weight;
   }
   return (diagonal.array() > 0).select(diagonal, 1.0);
 }
 
-Vector3 NormalEquations::ApplyTangentPlane(Index i, const Vector3& x) const
+Points Residual(const LeastSquaresProblem& problem, const Points& d)
 {
-  if (this->Problem.tangentPlaneNormals.rows() == 0)
+  // L^T W_L^2 (c - L d) with L = -G K is -K y, y = G W_L^2 c + Q K d.
+  const Laplacian& L = problem.L;
+  Points y(problem.Size(), 3);
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    {
+      const double weight = problem.laplacianWeights[i];
+      y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i) +
+        RowWeight(problem, i) * StiffnessRow(L, d, i);
+    });
+  Points residual(problem.Size(), 3);
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    { residual.row(i) = PositionForce(problem, d, i) - StiffnessRow(L, y, i); });
+  for (const LineRow& row : problem.lineRows)
   {
-    return Vector3::Zero();
+    AddLineRow(row, d, residual);
   }
-  const Vector3 normal = this->Problem.tangentPlaneNormals.row(i);
-  const double weight = this->Problem.tangentPlaneWeight;
-  return weight * weight * normal.dot(x) * normal;
+  ParallelFor(problem.Size(),
+    [&](Index i) { residual.row(i) = problem.motion.Project(i, residual.row(i)); });
+  return residual;
 }
 
 double Norm(const Points& x)

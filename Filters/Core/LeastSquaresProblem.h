@@ -7,14 +7,6 @@
 
 namespace lmo
 {
-/// |W_L (L V' - f)|^2, the upper half of Eqn. 11.
-struct LaplacianTerm
-{
-  Laplacian L;
-  Vector weights; ///< diagonal of W_L
-  Points target;  ///< f, the prescribed Laplacians
-};
-
 /// What the vertices may do. A direction of motion that is taken away is eliminated from the
 /// unknowns, not penalised.
 struct MotionConstraints
@@ -43,55 +35,56 @@ struct MotionConstraints
   }
 };
 
-/// Eqn. 11 with the tangent-plane rows of Eqn. 15: find V' that minimises
-/// sum over the terms of |W_L (L V' - f)|^2 + |W_p (V' - V)|^2 + w^2 sum_i |n_i (v'_i - v_i)|^2.
+/// A Laplacian row of a polyline: weight ((d_previous + d_next) / 2 - d_vertex - target).
+struct LineRow
+{
+  Index vertex;
+  Index previous;
+  Index next;
+  double weight;
+  Vector3 target;
+};
+
+/// Eqn. 11 with the tangent-plane rows of Eqn. 15, for the displacement d = V' - V: minimise
+/// |W_L (L d - c)|^2 + sum of the squared line rows + |W_p d|^2 + w^2 sum_i (n_i d_i)^2,
+/// where c = f - L V.
 struct LeastSquaresProblem
 {
-  Points V;
-  std::vector<LaplacianTerm> terms; ///< a row is empty in all terms but one
-  Vector positionWeights;           ///< diagonal of W_p
-  Points tangentPlaneNormals;       ///< n_i; no rows if there are no tangent-plane constraints
-  double tangentPlaneWeight = 0;    ///< w
+  Laplacian L;
+  Vector laplacianWeights;       ///< diagonal of W_L
+  Points target;                 ///< c
+  std::vector<LineRow> lineRows; ///< for vertices whose row of L is empty
+  Vector positionWeights;        ///< diagonal of W_p
+  Points tangentPlaneNormals;    ///< n_i; no rows if there are no tangent-plane constraints
+  double tangentPlaneWeight = 0; ///< w
   MotionConstraints motion;
-};
 
-/// The normal equations A d = b of a problem for the displacement d = V' - V. With K = E - S and
-/// Q = (G W_L)^2 they are A = sum K Q K + W_p^2 + w^2 n n^T and b = sum L^T W_L^2 (f - L V),
-/// restricted to the motion allowed. The matrix A is applied, never formed.
-class NormalEquations
-{
-public:
-  /// Keeps a reference to \a problem.
-  explicit NormalEquations(const LeastSquaresProblem& problem);
-
-  Index Size() const { return static_cast<Index>(this->Problem.V.rows()); }
-  const LeastSquaresProblem& GetProblem() const { return this->Problem; }
+  Index Size() const { return static_cast<Index>(this->positionWeights.size()); }
 
   /// True if x, y and z are not three independent systems with one matrix.
-  bool IsCoupled() const;
-
-  Points RightHandSide() const;
-
-  /// result = A x, for x within the motion allowed.
-  void Apply(const Points& x, Points& result) const;
-
-  /// Diagonal of sum K Q K + W_p^2, one value for x, y and z; 1 where no row of the problem touches
-  /// the vertex.
-  Vector Diagonal() const;
-
-  /// Q = (G W_L)^2 of one term.
-  const Vector& RowWeights(std::size_t term) const { return this->Q[term]; }
-
-  /// w^2 n n^T x of Eqn. 15 for one vertex; 0 without tangent-plane constraints.
-  Vector3 ApplyTangentPlane(Index i, const Vector3& x) const;
-
-private:
-  const LeastSquaresProblem& Problem;
-  std::vector<Vector> Q;
-  mutable Points RowResiduals;
+  bool IsCoupled() const
+  {
+    return this->tangentPlaneNormals.rows() > 0 || this->motion.tangents.rows() > 0;
+  }
 };
 
-/// sqrt of the sum of squares, the same for any number of threads.
+/// Q = (G W_L)^2: with K = E - S, L^T W_L^2 L is K Q K.
+inline double RowWeight(const LeastSquaresProblem& problem, Index i)
+{
+  const double weight = problem.L.rowScale[i] * problem.laplacianWeights[i];
+  return weight * weight;
+}
+
+/// Diagonal of L^T W_L^2 L + W_p^2 and the line rows, one value for x, y and z; 1 where no row of
+/// the problem touches the vertex.
+Vector Diagonal(const LeastSquaresProblem& problem);
+
+/// b - A d, the residual of the normal equations within the motion allowed. The matrix
+/// A = K Q K + line rows + W_p^2 + w^2 n n^T is applied, never formed; b = L^T W_L^2 c is the
+/// residual of d = 0.
+Points Residual(const LeastSquaresProblem& problem, const Points& d);
+
+/// Square root of the sum of squares, the same for any number of threads.
 double Norm(const Points& x);
 }
 

@@ -2,65 +2,86 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LinearSolver.h"
 
-#include "ConjugateGradient.h"
 #include "DirectSolver.h"
 
 namespace lmo
 {
 namespace
 {
-/// Takes the direct solution if it is closer; keeps what there is if the matrix is singular.
-void ImproveDirectly(const NormalEquations& equations, const Points& b, Solution& solution)
+/// |b - A d| / |b|
+double RelativeResidual(const LeastSquaresProblem& problem, double bNorm, const Points& d)
+{
+  return Norm(Residual(problem, d)) / bNorm;
+}
+
+bool IsSolved(const Solution& solution, const SolverOptions& options)
+{
+  return solution.relativeResidual <= options.tolerance;
+}
+
+/// Goes on from the solution so far.
+template <typename Scalar>
+void Iterate(const LeastSquaresProblem& problem, double bNorm, const SolverOptions& options,
+  Monitor& monitor, Solution& solution)
+{
+  PackedEquations<Scalar> A(problem);
+  JacobiPreconditioner<Scalar> M(problem);
+  ConjugateGradient<Scalar, JacobiPreconditioner<Scalar>>(problem, A, M)
+    .Run(bNorm, options, monitor, solution);
+  if (!solution.displacement.allFinite())
+  {
+    solution.displacement.setZero();
+    solution.relativeResidual = 1;
+  }
+}
+
+/// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and the
+/// caller sees its residual.
+void ImproveDirectly(const LeastSquaresProblem& problem, double bNorm, Solution& solution)
 {
   try
   {
-    Solution direct;
-    direct.displacement = SolveDirectly(equations, b);
-    direct.relativeResidual = RelativeResidual(equations, b, direct.displacement);
-    direct.iterations = solution.iterations;
-    if (direct.relativeResidual < solution.relativeResidual)
+    Points direct = SolveDirectly(problem);
+    const double residual = RelativeResidual(problem, bNorm, direct);
+    if (residual < solution.relativeResidual)
     {
-      solution = std::move(direct);
+      solution.displacement = std::move(direct);
+      solution.relativeResidual = residual;
     }
   }
   catch (const SolverError&)
   {
-    // The caller sees the residual of the iterative solution.
   }
 }
 }
 
-Solution Solve(
-  const NormalEquations& equations, SolverType type, const SolverOptions& options, Monitor& monitor)
+Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
+  Monitor& monitor)
 {
-  const Points b = equations.RightHandSide();
   Solution solution;
-  if (!(Norm(b) > 0))
+  solution.displacement = Points::Zero(problem.Size(), 3);
+  const double bNorm = Norm(Residual(problem, solution.displacement));
+  if (!(bNorm > 0))
   {
-    solution.displacement = Points::Zero(b.rows(), 3);
     return solution;
   }
   if (type == SolverType::DIRECT)
   {
     monitor.Report(0);
-    solution.displacement = SolveDirectly(equations, b);
-    solution.relativeResidual = RelativeResidual(equations, b, solution.displacement);
+    solution.displacement = SolveDirectly(problem);
+    solution.relativeResidual = RelativeResidual(problem, bNorm, solution.displacement);
     return solution;
   }
-  solution = SolveIteratively(equations, b, JacobiPreconditioner(equations), options, monitor);
-  if (type == SolverType::AUTOMATIC && solution.relativeResidual > options.tolerance)
+  solution.relativeResidual = 1;
+  Iterate<float>(problem, bNorm, options, monitor, solution);
+  if (!IsSolved(solution, options) && solution.iterations < options.maximumIterations)
   {
-    ImproveDirectly(equations, b, solution);
+    Iterate<double>(problem, bNorm, options, monitor, solution);
+  }
+  if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
+  {
+    ImproveDirectly(problem, bNorm, solution);
   }
   return solution;
-}
-
-double RelativeResidual(const NormalEquations& equations, const Points& b, const Points& d)
-{
-  Points residual(b.rows(), 3);
-  equations.Apply(d, residual);
-  residual = b - residual;
-  const double norm = Norm(b);
-  return norm > 0 ? Norm(residual) / norm : 0;
 }
 }

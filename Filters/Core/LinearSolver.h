@@ -3,25 +3,11 @@
 #ifndef lmo_LinearSolver_h
 #define lmo_LinearSolver_h
 
-#include "Monitor.h"
-#include "Preconditioner.h"
+#include "ConjugateGradient.h"
 
 namespace lmo
 {
-struct SolverOptions
-{
-  double tolerance = 1e-6;        ///< |b - A d| / |b| at which an iterative solver stops, in (0, 1)
-  Index maximumIterations = 5000; ///< > 0
-};
-
-struct Solution
-{
-  Points displacement;         ///< d = V' - V
-  Index iterations = 0;        ///< 0 from a direct solver
-  double relativeResidual = 0; ///< |b - A d| / |b|, computed from the equations and d
-};
-
-/// How to solve the normal equations.
+/// How to solve a least-squares problem.
 enum class SolverType
 {
   AUTOMATIC, ///< iterative; direct if that does not reach the tolerance
@@ -31,11 +17,8 @@ enum class SolverType
 
 /// \throw SolverError if a direct solution is asked for and the matrix is singular.
 /// \throw Cancelled if the monitor says so.
-Solution Solve(const NormalEquations& equations, SolverType type, const SolverOptions& options,
+Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   Monitor& monitor);
-
-/// |b - A d| / |b|; 0 if b = 0.
-double RelativeResidual(const NormalEquations& equations, const Points& b, const Points& d);
 }
 
 #endif

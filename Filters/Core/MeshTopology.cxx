@@ -19,7 +19,7 @@ void AccumulateOffsets(std::vector<Index>& offsets)
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
 }
 
-AdjacencyLists BuildTrianglesAt(Index vertices, const Triangles& triangles)
+AdjacencyLists BuildCornersAt(Index vertices, const Triangles& triangles)
 {
   AdjacencyLists lists;
   lists.offsets.assign(vertices + 1, 0);
@@ -43,53 +43,130 @@ AdjacencyLists BuildTrianglesAt(Index vertices, const Triangles& triangles)
     {
       for (int corner = 0; corner < 3; ++corner)
       {
-        lists.ids[next[triangles(t, corner)]++] = t;
+        lists.ids[next[triangles(t, corner)]++] = 3 * t + corner;
       }
     }
   }
   return lists;
 }
 
-/// The other two vertices of each triangle at vertex i, ascending: a neighbour appears once per
-/// triangle of its edge.
-void GatherNeighbours(
-  const AdjacencyLists& trianglesAt, const Triangles& triangles, Index i, std::vector<Index>& ring)
+/// The neighbours of a vertex, and those across a boundary edge, both ascending.
+class RingCollector
 {
-  ring.clear();
-  for (const Index* t = trianglesAt.Begin(i); t != trianglesAt.End(i); ++t)
+public:
+  void Collect(const AdjacencyLists& cornersAt, const Triangles& triangles, Index i)
   {
-    for (int corner = 0; corner < 3; ++corner)
+    this->Next.clear();
+    this->Previous.clear();
+    for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
     {
-      if (triangles(*t, corner) != i)
-      {
-        ring.push_back(triangles(*t, corner));
-      }
+      this->Next.push_back(triangles.data()[NextCorner(*corner)]);
+      this->Previous.push_back(triangles.data()[PreviousCorner(*corner)]);
+    }
+    SortShort(this->Next);
+    SortShort(this->Previous);
+    this->Boundary.clear();
+    const bool isInside = this->Next == this->Previous &&
+      std::adjacent_find(this->Next.begin(), this->Next.end()) == this->Next.end();
+    if (!isInside)
+    {
+      this->CountTriangles();
     }
   }
-  std::sort(ring.begin(), ring.end());
-}
 
-/// Calls visit(neighbour, triangles of the edge) for each distinct neighbour.
-template <typename Visit>
-void ForEachEdge(const std::vector<Index>& ring, const Visit& visit)
-{
-  for (auto first = ring.begin(); first != ring.end();)
+  const std::vector<Index>& GetNeighbours() const { return this->Next; }
+  const std::vector<Index>& GetBoundary() const { return this->Boundary; }
+
+private:
+  /// Insertion sort: one-rings are short, and std::sort takes twice as long for them.
+  static void SortShort(std::vector<Index>& ids)
   {
-    const auto last = std::upper_bound(first, ring.end(), *first);
-    visit(*first, last - first);
-    first = last;
+    if (ids.size() > 32)
+    {
+      std::sort(ids.begin(), ids.end());
+      return;
+    }
+    for (std::size_t k = 1; k < ids.size(); ++k)
+    {
+      const Index id = ids[k];
+      std::size_t place = k;
+      for (; place > 0 && ids[place - 1] > id; --place)
+      {
+        ids[place] = ids[place - 1];
+      }
+      ids[place] = id;
+    }
+  }
+
+  /// At a boundary, where orientations differ and at non-manifold edges: a neighbour appears once
+  /// for each triangle of its edge.
+  void CountTriangles()
+  {
+    this->Next.insert(this->Next.end(), this->Previous.begin(), this->Previous.end());
+    std::sort(this->Next.begin(), this->Next.end());
+    std::size_t neighbours = 0;
+    for (auto first = this->Next.begin(); first != this->Next.end();)
+    {
+      const auto last = std::upper_bound(first, this->Next.end(), *first);
+      if (last - first == 1)
+      {
+        this->Boundary.push_back(*first);
+      }
+      this->Next[neighbours++] = *first;
+      first = last;
+    }
+    this->Next.resize(neighbours);
+  }
+
+  std::vector<Index> Next;
+  std::vector<Index> Previous;
+  std::vector<Index> Boundary;
+};
+
+/// Lists collected for a range of vertices, until it is known where they belong.
+struct RangeOfLists
+{
+  std::vector<Index> neighbours;
+  std::vector<Index> boundary;
+};
+
+void Place(const std::vector<RangeOfLists>& ranges, std::vector<Index> RangeOfLists::*ids,
+  AdjacencyLists& lists)
+{
+  AccumulateOffsets(lists.offsets);
+  lists.ids.resize(lists.offsets.back());
+  for (std::size_t block = 0; block < ranges.size(); ++block)
+  {
+    const std::vector<Index>& source = ranges[block].*ids;
+    if (!source.empty())
+    {
+      std::copy(source.begin(), source.end(),
+        lists.ids.begin() + lists.offsets[block * ParallelBlock]);
+    }
   }
 }
 }
 
 Index AdjacencyLists::Find(Index i, Index id) const
 {
-  return static_cast<Index>(std::lower_bound(this->Begin(i), this->End(i), id) - this->Begin(i));
+  const Index* begin = this->Begin(i);
+  const Index size = this->Size(i);
+  constexpr Index few = 16;
+  if (size > few)
+  {
+    return static_cast<Index>(std::lower_bound(begin, begin + size, id) - begin);
+  }
+  Index place = 0;
+  for (Index k = 0; k < size; ++k)
+  {
+    place += begin[k] < id; // no branch to mispredict
+  }
+  return place;
 }
 
 bool MeshTopology::IsClosed() const
 {
-  return !this->trianglesAt.ids.empty() && this->boundaryEdges.ids.empty();
+  return !this->cornersAt.ids.empty() && this->boundaryEdges.ids.empty();
 }
 
 MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
@@ -102,48 +179,34 @@ MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
   }
   MeshTopology topology;
   topology.vertices = vertices;
-  topology.trianglesAt = BuildTrianglesAt(vertices, triangles);
+  topology.cornersAt = BuildCornersAt(vertices, triangles);
   topology.isBoundary.assign(vertices, 0);
   topology.isUsed.assign(vertices, 0);
   topology.oneRings.offsets.assign(vertices + 1, 0);
   topology.boundaryEdges.offsets.assign(vertices + 1, 0);
 
-  ParallelFor(vertices,
-    [&](Index i)
+  std::vector<RangeOfLists> ranges(vertices / ParallelBlock + 1);
+  ParallelRanges(vertices,
+    [&](Index begin, Index end)
     {
-      thread_local std::vector<Index> ring;
-      GatherNeighbours(topology.trianglesAt, triangles, i, ring);
-      ForEachEdge(ring,
-        [&](Index, std::ptrdiff_t trianglesAtEdge)
-        {
-          ++topology.oneRings.offsets[i + 1];
-          topology.boundaryEdges.offsets[i + 1] += trianglesAtEdge == 1;
-        });
-      topology.isUsed[i] = !ring.empty();
-      topology.isBoundary[i] = topology.boundaryEdges.offsets[i + 1] > 0;
+      RangeOfLists& range = ranges[begin / ParallelBlock];
+      range.neighbours.reserve(7 * std::size_t(end - begin));
+      RingCollector ring;
+      for (Index i = begin; i < end; ++i)
+      {
+        ring.Collect(topology.cornersAt, triangles, i);
+        const std::vector<Index>& neighbours = ring.GetNeighbours();
+        const std::vector<Index>& boundary = ring.GetBoundary();
+        range.neighbours.insert(range.neighbours.end(), neighbours.begin(), neighbours.end());
+        range.boundary.insert(range.boundary.end(), boundary.begin(), boundary.end());
+        topology.oneRings.offsets[i + 1] = static_cast<Index>(neighbours.size());
+        topology.boundaryEdges.offsets[i + 1] = static_cast<Index>(boundary.size());
+        topology.isUsed[i] = !neighbours.empty();
+        topology.isBoundary[i] = !boundary.empty();
+      }
     });
-  AccumulateOffsets(topology.oneRings.offsets);
-  AccumulateOffsets(topology.boundaryEdges.offsets);
-  topology.oneRings.ids.resize(topology.oneRings.offsets.back());
-  topology.boundaryEdges.ids.resize(topology.boundaryEdges.offsets.back());
-
-  ParallelFor(vertices,
-    [&](Index i)
-    {
-      thread_local std::vector<Index> ring;
-      GatherNeighbours(topology.trianglesAt, triangles, i, ring);
-      Index* neighbour = topology.oneRings.ids.data() + topology.oneRings.offsets[i];
-      Index* boundary = topology.boundaryEdges.ids.data() + topology.boundaryEdges.offsets[i];
-      ForEachEdge(ring,
-        [&](Index j, std::ptrdiff_t trianglesAtEdge)
-        {
-          *neighbour++ = j;
-          if (trianglesAtEdge == 1)
-          {
-            *boundary++ = j;
-          }
-        });
-    });
+  Place(ranges, &RangeOfLists::neighbours, topology.oneRings);
+  Place(ranges, &RangeOfLists::boundary, topology.boundaryEdges);
   return topology;
 }
 

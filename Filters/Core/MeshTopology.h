@@ -24,7 +24,7 @@ struct AdjacencyLists
 struct MeshTopology
 {
   Index vertices = 0;
-  AdjacencyLists trianglesAt;   ///< triangles at each vertex
+  AdjacencyLists cornersAt;     ///< corners at each vertex; corner k of triangle t is 3 t + k
   AdjacencyLists oneRings;      ///< vertices that share an edge with each vertex
   AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one triangle with each
   Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
@@ -33,6 +33,16 @@ struct MeshTopology
   /// At least one triangle, and no edge with exactly one.
   bool IsClosed() const;
 };
+
+/// The corners after and before corner 3 t + k, counter-clockwise.
+inline Index NextCorner(Index corner)
+{
+  return corner % 3 == 2 ? corner - 2 : corner + 1;
+}
+inline Index PreviousCorner(Index corner)
+{
+  return corner % 3 == 0 ? corner + 2 : corner - 1;
+}
 
 /// True if the triangle names a vertex twice.
 inline bool IsCollapsed(const Triangles& triangles, Index t)

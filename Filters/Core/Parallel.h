@@ -11,17 +11,34 @@
 
 namespace lmo
 {
-/// Vertices or triangles handed to a thread at a time, and the length of the partial sums.
+/// Length of the partial sums of ParallelSum(), and the least work that is worth a thread.
 constexpr Index ParallelBlock = 2048;
+
+/// Calls body(begin, end) for ranges that cover [0, count), in any order and on several threads.
+/// Every begin is a multiple of ParallelBlock.
+template <typename Body>
+void ParallelRanges(Index count, const Body& body)
+{
+  const Index blocks = count / ParallelBlock + (count % ParallelBlock != 0);
+  // Four ranges for each thread even out their speeds; more would cost in overhead.
+  const Index ranges = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
+  vtkSMPTools::For(0, blocks, std::max<Index>(4, blocks / ranges),
+    [&](vtkIdType firstBlock, vtkIdType lastBlock)
+    {
+      const std::int64_t begin = firstBlock * ParallelBlock;
+      const std::int64_t end = std::min<std::int64_t>(count, lastBlock * ParallelBlock);
+      body(static_cast<Index>(begin), static_cast<Index>(end));
+    });
+}
 
 /// Calls body(i) for every i in [0, count), in any order and on several threads.
 template <typename Body>
 void ParallelFor(Index count, const Body& body)
 {
-  vtkSMPTools::For(0, count, ParallelBlock,
-    [&body](vtkIdType begin, vtkIdType end)
+  ParallelRanges(count,
+    [&body](Index begin, Index end)
     {
-      for (auto i = static_cast<Index>(begin); i < static_cast<Index>(end); ++i)
+      for (Index i = begin; i < end; ++i)
       {
         body(i);
       }
@@ -33,19 +50,18 @@ void ParallelFor(Index count, const Body& body)
 template <typename Value, typename Body>
 Value ParallelSum(Index count, const Value& zero, const Body& body)
 {
-  const Index blocks = count / ParallelBlock + (count % ParallelBlock != 0);
-  std::vector<Value> partial(blocks, zero);
-  vtkSMPTools::For(0, blocks, 1,
-    [&](vtkIdType firstBlock, vtkIdType lastBlock)
+  std::vector<Value> partial(count / ParallelBlock + (count % ParallelBlock != 0), zero);
+  ParallelRanges(count,
+    [&](Index begin, Index end)
     {
-      for (auto block = static_cast<Index>(firstBlock); block < lastBlock; ++block)
+      while (begin < end)
       {
-        const Index begin = block * ParallelBlock;
-        const Index end = std::min<std::int64_t>(count, std::int64_t(begin) + ParallelBlock);
         Value sum = zero;
-        for (Index i = begin; i < end; ++i)
+        const Index block = begin / ParallelBlock;
+        const Index blockEnd = end - begin > ParallelBlock ? begin + ParallelBlock : end;
+        for (; begin < blockEnd; ++begin)
         {
-          body(sum, i);
+          body(sum, begin);
         }
         partial[block] = sum;
       }
@@ -62,7 +78,26 @@ Value ParallelSum(Index count, const Value& zero, const Body& body)
 template <typename Iterator>
 void ParallelSort(Iterator begin, Iterator end)
 {
-  vtkSMPTools::Sort(begin, end);
+  const Index parts = 4;
+  const auto count = end - begin;
+  const auto bound = [&](Index part) { return begin + count * part / parts; };
+  vtkSMPTools::For(0, parts, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto part = static_cast<Index>(first); part < last; ++part)
+      {
+        std::sort(bound(part), bound(part + 1));
+      }
+    });
+  vtkSMPTools::For(0, 2, 1,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (auto half = static_cast<Index>(first); half < last; ++half)
+      {
+        std::inplace_merge(bound(2 * half), bound(2 * half + 1), bound(2 * half + 2));
+      }
+    });
+  std::inplace_merge(begin, bound(2), end);
 }
 }
 

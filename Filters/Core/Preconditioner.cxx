@@ -6,33 +6,39 @@
 
 namespace lmo
 {
-JacobiPreconditioner::JacobiPreconditioner(const NormalEquations& equations)
-  : Problem(equations.GetProblem())
-  , Diagonal(equations.Diagonal())
+template <typename Scalar>
+JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& problem)
 {
+  const Index size = problem.Size();
+  const bool hasPlanes = problem.tangentPlaneNormals.rows() > 0;
+  const Vector diagonal = Diagonal(problem);
+  this->InverseDiagonal.resize(size);
+  this->Normals.resize(4, hasPlanes ? size : 0);
+  this->NormalFactor.resize(hasPlanes ? size : 0);
+  ParallelFor(size,
+    [&](Index i)
+    {
+      const double a = diagonal[i];
+      const auto freedom = problem.motion.freedom[i];
+      double inverse = freedom == MotionConstraints::FIXED ? 0 : 1 / a;
+      if (hasPlanes)
+      {
+        const double w = problem.tangentPlaneWeight * problem.tangentPlaneWeight;
+        const Vector3 normal = problem.tangentPlaneNormals.row(i);
+        const bool isFree = freedom == MotionConstraints::FREE;
+        // Sherman-Morrison: (a I + w n n^T)^-1 = I / a - w / (a (a + w)) n n^T
+        this->NormalFactor[i] = static_cast<Scalar>(isFree ? w / (a * (a + w)) : 0);
+        this->Normals.col(i) << normal.transpose().array().template cast<Scalar>(), Scalar(0);
+        if (freedom == MotionConstraints::ALONG_LINE)
+        {
+          const double slope = normal.dot(problem.motion.tangents.row(i));
+          inverse = 1 / (a + w * slope * slope);
+        }
+      }
+      this->InverseDiagonal[i] = static_cast<Scalar>(inverse);
+    });
 }
 
-void JacobiPreconditioner::Apply(const Points& residual, Points& result) const
-{
-  ParallelFor(static_cast<Index>(residual.rows()),
-    [&](Index i) { result.row(i) = this->SolveBlock(i, residual.row(i)); });
-}
-
-Vector3 JacobiPreconditioner::SolveBlock(Index i, const Vector3& x) const
-{
-  const double a = this->Diagonal[i];
-  if (this->Problem.tangentPlaneNormals.rows() == 0)
-  {
-    return x / a;
-  }
-  const Vector3 n = this->Problem.tangentPlaneNormals.row(i);
-  const double squaredWeight = this->Problem.tangentPlaneWeight * this->Problem.tangentPlaneWeight;
-  if (this->Problem.motion.freedom[i] == MotionConstraints::ALONG_LINE)
-  {
-    const double slope = n.dot(this->Problem.motion.tangents.row(i));
-    return x / (a + squaredWeight * slope * slope);
-  }
-  // Sherman-Morrison; n has unit length, or length 0 where there is no normal.
-  return (x - squaredWeight / (a + squaredWeight) * n.dot(x) * n) / a;
-}
+template class JacobiPreconditioner<float>;
+template class JacobiPreconditioner<double>;
 }

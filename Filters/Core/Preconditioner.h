@@ -3,36 +3,44 @@
 #ifndef lmo_Preconditioner_h
 #define lmo_Preconditioner_h
 
-#include "LeastSquaresProblem.h"
+#include "PackedEquations.h"
 
 namespace lmo
 {
-/// A symmetric positive definite approximation of the inverse of the normal equations' matrix.
-class Preconditioner
+/// Approximates A by its diagonal, or by its 3 x 3 diagonal blocks where x, y and z are coupled.
+/// A preconditioner M gives M^-1 r in two steps: Prepare(r) does what needs the whole residual, of
+/// which there is nothing here, and Row(i, r_i) returns row i of the result.
+template <typename Scalar>
+class JacobiPreconditioner
 {
 public:
-  virtual ~Preconditioner() = default;
+  static constexpr bool IsRowWise = true; ///< Row() needs nothing but r_i
 
-  /// result = M^-1 residual, within the motion allowed.
-  virtual void Apply(const Points& residual, Points& result) const = 0;
-};
+  explicit JacobiPreconditioner(const LeastSquaresProblem& problem);
 
-/// The inverse of the diagonal of A; with tangent-plane constraints of its 3 x 3 diagonal blocks.
-class JacobiPreconditioner : public Preconditioner
-{
-public:
-  /// Keeps a reference to \a equations.
-  explicit JacobiPreconditioner(const NormalEquations& equations);
+  void Prepare(const PackedPoints<Scalar>&) {}
 
-  void Apply(const Points& residual, Points& result) const override;
+  PackedRow<Scalar> Row(Index i, const PackedRow<Scalar>& residual) const
+  {
+    PackedRow<Scalar> row = this->InverseDiagonal[i] * residual;
+    if (this->Normals.cols() > 0)
+    {
+      const PackedRow<Scalar> normal = this->Normals.col(i);
+      row -= this->NormalFactor[i] * (normal * residual).sum() * normal;
+    }
+    return row;
+  }
 
 private:
-  /// (a I + w^2 n n^T)^-1 x, or its restriction to the line along which the vertex moves.
-  Vector3 SolveBlock(Index i, const Vector3& x) const;
+  using Values = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
-  const LeastSquaresProblem& Problem;
-  Vector Diagonal;
+  Values InverseDiagonal;      ///< 0 at fixed vertices
+  PackedPoints<Scalar> Normals; ///< of the tangent planes; no columns if there are none
+  Values NormalFactor;         ///< of the second term in the inverse of a I + w^2 n n^T
 };
+
+extern template class JacobiPreconditioner<float>;
+extern template class JacobiPreconditioner<double>;
 }
 
 #endif

@@ -16,20 +16,19 @@ double RadiusRatio(const Vector3& a, const Vector3& b, const Vector3& c)
   const Vector3 ab = b - a;
   const Vector3 bc = c - b;
   const Vector3 ca = a - c;
-  const double lab = ab.stableNorm();
-  const double lbc = bc.stableNorm();
-  const double lca = ca.stableNorm();
-  const double longest = std::max({ lab, lbc, lca });
-  if (!(longest > 0) || !(std::min({ lab, lbc, lca }) > 0))
+  const double lab = ab.norm();
+  const double lbc = bc.norm();
+  const double lca = ca.norm();
+  if (!(std::min({ lab, lbc, lca }) > 0))
   {
     return 0;
   }
   // r = 2A / (a + b + c) and R = abc / 4A: t = 16 A^2 / (abc (a + b + c)), in units of the longest
   // edge so that no power under- or overflows.
-  const double twiceAreaSquared = (ab / longest).cross(ca / longest).squaredNorm();
-  const double t =
-    4 * twiceAreaSquared /
-    ((lab / longest) * (lbc / longest) * (lca / longest) * ((lab + lbc + lca) / longest));
+  const double unit = 1 / std::max({ lab, lbc, lca });
+  const double twiceAreaSquared = (ab * unit).cross(ca * unit).squaredNorm();
+  const double t = 4 * twiceAreaSquared /
+    ((lab * unit) * (lbc * unit) * (lca * unit) * ((lab + lbc + lca) * unit));
   return std::min(t, 1.0);
 }
 
@@ -57,17 +56,25 @@ Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangle
       value = std::min(value, triangleValues[t]);
     }
   }
-  return (minimum.array() == none).select(UndefinedQuality, minimum);
+  ParallelFor(vertices,
+    [&](Index i) { minimum[i] = minimum[i] == none ? UndefinedQuality : minimum[i]; });
+  return minimum;
 }
 
-QualitySummary Summarize(const Vector& radiusRatios)
+MeshQuality MeasureQuality(const Points& V, const Triangles& triangles)
 {
-  if (radiusRatios.size() == 0)
+  MeshQuality quality;
+  quality.triangles = RadiusRatios(V, triangles);
+  quality.vertices =
+    MinimumAtVertices(quality.triangles, triangles, static_cast<Index>(V.rows()));
+  const auto count = static_cast<Index>(triangles.rows());
+  if (count > 0)
   {
-    return {};
+    quality.mean = ParallelSum(count, 0.0,
+                     [&](double& sum, Index t) { sum += quality.triangles[t]; }) /
+      count;
+    quality.minimum = quality.triangles.minCoeff();
   }
-  const double sum = ParallelSum(static_cast<Index>(radiusRatios.size()), 0.0,
-    [&](double& partial, Index t) { partial += radiusRatios[t]; });
-  return { sum / double(radiusRatios.size()), radiusRatios.minCoeff() };
+  return quality;
 }
 }

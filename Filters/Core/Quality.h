@@ -21,15 +21,16 @@ Vector RadiusRatios(const Points& V, const Triangles& triangles);
 /// no triangle uses.
 Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices);
 
-/// t_mean and t_min of Fig. 5.
-struct QualitySummary
+/// Eqn. 12 over a mesh.
+struct MeshQuality
 {
-  double mean = UndefinedQuality;
-  double minimum = UndefinedQuality;
+  Vector triangles; ///< of each triangle
+  Vector vertices;  ///< minimum at each vertex
+  double mean = UndefinedQuality;    ///< t_mean of Fig. 5; UndefinedQuality without triangles
+  double minimum = UndefinedQuality; ///< t_min of Fig. 5
 };
 
-/// UndefinedQuality if there is no triangle.
-QualitySummary Summarize(const Vector& radiusRatios);
+MeshQuality MeasureQuality(const Points& V, const Triangles& triangles);
 }
 
 #endif

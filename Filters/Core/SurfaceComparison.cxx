@@ -5,16 +5,29 @@
 #include "Parallel.h"
 #include "TriangleGeometry.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lmo
 {
 namespace
 {
-double RelativeVolumeChange(const Points& before, const Points& after, const Triangles& triangles,
-  const MeshTopology& topology)
+double LargestDisplacement(const Points& before, const Points& after)
 {
-  const double volume = topology.IsClosed() ? EnclosedVolume(before, triangles) : 0;
+  struct Maximum
+  {
+    double square = 0;
+    void operator+=(const Maximum& other) { this->square = std::max(this->square, other.square); }
+  };
+  return std::sqrt(ParallelSum(static_cast<Index>(before.rows()), Maximum(),
+    [&](Maximum& maximum, Index i)
+    { maximum += { (after.row(i) - before.row(i)).squaredNorm() }; })
+                     .square);
+}
+
+double RelativeVolumeChange(const Points& before, const Points& after, const Triangles& triangles)
+{
+  const double volume = EnclosedVolume(before, triangles);
   return volume != 0 ? (EnclosedVolume(after, triangles) - volume) / std::abs(volume) : 0;
 }
 
@@ -23,30 +36,22 @@ Index CountFlippedTriangles(const Points& before, const Points& after, const Tri
   return ParallelSum(static_cast<Index>(triangles.rows()), Index(0),
     [&](Index& flipped, Index t)
     {
-      const Vector3 normal = ScaledNormal(before, triangles, t).stableNormalized();
-      flipped += normal.dot(ScaledNormal(after, triangles, t)) < 0;
+      flipped += ScaledNormal(before, triangles, t).dot(ScaledNormal(after, triangles, t)) < 0;
     });
 }
 }
 
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const MeshTopology& topology)
+  const Triangles& triangles, const MeshQuality& quality, double diagonal, bool isClosed)
 {
   SurfaceComparison comparison;
-  comparison.radiusRatiosBefore = RadiusRatios(before, triangles);
-  comparison.radiusRatiosAfter = RadiusRatios(after, triangles);
-  comparison.before = Summarize(comparison.radiusRatiosBefore);
-  comparison.after = Summarize(comparison.radiusRatiosAfter);
-  if (before.rows() > 0)
-  {
-    comparison.maximumDisplacement = (after - before).rowwise().norm().maxCoeff();
-  }
-  const double diagonal = BoundingBoxDiagonal(before, topology);
-  if (diagonal > 0)
-  {
-    comparison.relativeMaximumDisplacement = comparison.maximumDisplacement / diagonal;
-  }
-  comparison.relativeVolumeChange = RelativeVolumeChange(before, after, triangles, topology);
+  comparison.before = quality;
+  comparison.after = MeasureQuality(after, triangles);
+  comparison.maximumDisplacement = LargestDisplacement(before, after);
+  comparison.relativeMaximumDisplacement =
+    diagonal > 0 ? comparison.maximumDisplacement / diagonal : 0;
+  comparison.relativeVolumeChange =
+    isClosed ? RelativeVolumeChange(before, after, triangles) : 0;
   comparison.flippedTriangles = CountFlippedTriangles(before, after, triangles);
   return comparison;
 }

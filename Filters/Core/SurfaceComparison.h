@@ -10,18 +10,18 @@ namespace lmo
 /// What an optimisation did to the surface: the figures of Fig. 5 and some more.
 struct SurfaceComparison
 {
-  Vector radiusRatiosBefore; ///< of each triangle
-  Vector radiusRatiosAfter;
-  QualitySummary before;
-  QualitySummary after;
+  MeshQuality before;
+  MeshQuality after;
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
   double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
   Index flippedTriangles = 0;             ///< normal turned by more than a right angle
 };
 
+/// \param quality of \a before
+/// \param diagonal of the bounding box of \a before
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const MeshTopology& topology);
+  const Triangles& triangles, const MeshQuality& quality, double diagonal, bool isClosed);
 }
 
 #endif

@@ -16,45 +16,54 @@ namespace
 constexpr double MaximumCotangent = 1e6;
 constexpr double Pi = 3.14159265358979323846;
 
-/// Corner of triangle t that is vertex i.
-int CornerOf(const Triangles& triangles, Index t, Index i)
-{
-  return triangles(t, 0) == i ? 0 : (triangles(t, 1) == i ? 1 : 2);
-}
-
 /// Edges that leave a corner, in counter-clockwise order.
-struct Corner
+struct CornerEdges
 {
   Vector3 next;
   Vector3 previous;
 
-  Corner(const Points& V, const Triangles& triangles, Index t, int corner)
-    : next(V.row(triangles(t, (corner + 1) % 3)) - V.row(triangles(t, corner)))
-    , previous(V.row(triangles(t, (corner + 2) % 3)) - V.row(triangles(t, corner)))
+  CornerEdges(const Points& V, const Triangles& triangles, Index corner)
+    : next(V.row(triangles.data()[NextCorner(corner)]) - V.row(triangles.data()[corner]))
+    , previous(V.row(triangles.data()[PreviousCorner(corner)]) - V.row(triangles.data()[corner]))
   {
   }
 };
 
-/// Share of triangle t in the mixed Voronoi area of its corner.
-double MixedVoronoiArea(
-  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index t, int corner)
+/// Sum over the corners at vertex i of value(corner).
+template <typename Value>
+auto SumOverCorners(const MeshTopology& topology, Index i, const Value& value)
 {
-  const bool isObtuse = cotangents.row(t).minCoeff() < 0;
-  if (isObtuse)
+  std::decay_t<decltype(value(0))> sum{};
+  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  {
+    sum += value(*c);
+  }
+  return sum;
+}
+
+/// Shares of the corners of triangle t in the mixed Voronoi areas of its vertices.
+Vector3 MixedVoronoiShares(
+  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index t)
+{
+  const Vector3 c = cotangents.row(t);
+  if (c.minCoeff() < 0)
   {
     const double area = 0.5 * ScaledNormal(V, triangles, t).norm();
-    return cotangents(t, corner) < 0 ? area / 2 : area / 4;
+    return area * (c.array() < 0).select(Vector3::Constant(0.5), 0.25);
   }
-  const Corner edges(V, triangles, t, corner);
-  return (edges.next.squaredNorm() * cotangents(t, (corner + 2) % 3) +
-           edges.previous.squaredNorm() * cotangents(t, (corner + 1) % 3)) /
-         8;
+  const Vector3 a = V.row(triangles(t, 0));
+  const Vector3 b = V.row(triangles(t, 1));
+  const Vector3 d = V.row(triangles(t, 2));
+  const double ab = (b - a).squaredNorm() * c[2];
+  const double bd = (d - b).squaredNorm() * c[0];
+  const double da = (a - d).squaredNorm() * c[1];
+  return Vector3(ab + da, ab + bd, bd + da) / 8;
 }
 }
 
 Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t)
 {
-  const Corner edges(V, triangles, t, 0);
+  const CornerEdges edges(V, triangles, 3 * t);
   return edges.next.cross(edges.previous);
 }
 
@@ -64,13 +73,13 @@ CornerValues Cotangents(const Points& V, const Triangles& triangles)
   ParallelFor(static_cast<Index>(triangles.rows()),
     [&](Index t)
     {
-      const double sine = ScaledNormal(V, triangles, t).norm();
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        const Corner edges(V, triangles, t, corner);
-        const double cotangent = sine > 0 ? edges.next.dot(edges.previous) / sine : 0;
-        cotangents(t, corner) = std::clamp(cotangent, -MaximumCotangent, MaximumCotangent);
-      }
+      const Vector3 ab = V.row(triangles(t, 1)) - V.row(triangles(t, 0));
+      const Vector3 bc = V.row(triangles(t, 2)) - V.row(triangles(t, 1));
+      const Vector3 ca = V.row(triangles(t, 0)) - V.row(triangles(t, 2));
+      const double sine = ab.cross(ca).norm();
+      const Vector3 cosines(-ab.dot(ca), -bc.dot(ab), -ca.dot(bc));
+      const double scale = sine > 0 ? 1 / sine : 0;
+      cotangents.row(t) = (cosines * scale).cwiseMax(-MaximumCotangent).cwiseMin(MaximumCotangent);
     });
   return cotangents;
 }
@@ -78,16 +87,13 @@ CornerValues Cotangents(const Points& V, const Triangles& triangles)
 Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const MeshTopology& topology,
   const CornerValues& cotangents)
 {
+  CornerValues shares(triangles.rows(), 3);
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t) { shares.row(t) = MixedVoronoiShares(V, triangles, cotangents, t); });
   Vector areas(V.rows());
   ParallelFor(topology.vertices,
     [&](Index i)
-    {
-      areas[i] = 0;
-      for (const Index* t = topology.trianglesAt.Begin(i); t != topology.trianglesAt.End(i); ++t)
-      {
-        areas[i] += MixedVoronoiArea(V, triangles, cotangents, *t, CornerOf(triangles, *t, i));
-      }
-    });
+    { areas[i] = SumOverCorners(topology, i, [&](Index c) { return shares.data()[c]; }); });
   return areas;
 }
 
@@ -97,13 +103,13 @@ Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopol
   ParallelFor(topology.vertices,
     [&](Index i)
     {
-      double angles = 0;
-      for (const Index* t = topology.trianglesAt.Begin(i); t != topology.trianglesAt.End(i); ++t)
-      {
-        const Corner edges(V, triangles, *t, CornerOf(triangles, *t, i));
-        angles +=
-          std::atan2(edges.next.cross(edges.previous).norm(), edges.next.dot(edges.previous));
-      }
+      const double angles = SumOverCorners(topology, i,
+        [&](Index c)
+        {
+          const CornerEdges edges(V, triangles, c);
+          return std::atan2(
+            edges.next.cross(edges.previous).norm(), edges.next.dot(edges.previous));
+        });
       defects[i] = topology.isUsed[i] ? 2 * Pi - angles : 0;
     });
   return defects;
@@ -116,11 +122,13 @@ Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopo
     [&](Index i)
     {
       Vector3 sum = Vector3::Zero();
-      for (const Index* t = topology.trianglesAt.Begin(i); t != topology.trianglesAt.End(i); ++t)
+      for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
       {
-        sum += ScaledNormal(V, triangles, *t);
+        const CornerEdges edges(V, triangles, *c);
+        sum += edges.next.cross(edges.previous);
       }
-      normals.row(i) = sum.stableNormalized();
+      const double length = sum.norm();
+      normals.row(i) = length > 0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
     });
   return normals;
 }

@@ -9,37 +9,39 @@
 
 namespace lmo
 {
-double Quantile(const Vector& sorted, double q)
+double Quantile(std::vector<double> values, double q)
 {
-  if (sorted.size() == 0)
+  if (values.empty())
   {
     return 0;
   }
-  const double place = q * double(sorted.size() - 1);
-  const auto below = static_cast<Eigen::Index>(place);
-  const auto above = std::min<Eigen::Index>(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - double(below)) * (sorted[above] - sorted[below]);
+  const double place = q * double(values.size() - 1);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
+  std::nth_element(values.begin(), below, values.end());
+  const auto above = std::min_element(below + 1, values.end());
+  return above == values.end() ? *below
+                               : *below + (place - std::floor(place)) * (*above - *below);
 }
 
 CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed)
 {
-  CurvatureStatistics statistics;
-  statistics.sorted.resize(std::count(isUsed.begin(), isUsed.end(), true));
-  Eigen::Index count = 0;
+  std::vector<double> values;
+  values.reserve(curvatures.size());
   for (Eigen::Index i = 0; i < curvatures.size(); ++i)
   {
     if (isUsed[i])
     {
-      statistics.sorted[count++] = curvatures[i];
+      values.push_back(curvatures[i]);
     }
   }
-  if (count > 0)
+  CurvatureStatistics statistics;
+  if (!values.empty())
   {
-    ParallelSort(statistics.sorted.data(), statistics.sorted.data() + count);
-    statistics.minimum = statistics.sorted[0];
-    statistics.maximum = statistics.sorted[count - 1];
-    const double firstQuartile = Quantile(statistics.sorted, 0.25);
-    const double thirdQuartile = Quantile(statistics.sorted, 0.75);
+    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
+    statistics.minimum = *minimum;
+    statistics.maximum = *maximum;
+    const double firstQuartile = Quantile(values, 0.25);
+    const double thirdQuartile = Quantile(std::move(values), 0.75);
     statistics.threshold = thirdQuartile + 1.5 * (thirdQuartile - firstQuartile);
   }
   return statistics;
@@ -47,25 +49,43 @@ CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUs
 
 Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statistics)
 {
+  if (!(statistics.maximum > statistics.minimum))
+  {
+    return Vector::Ones(curvatures.size());
+  }
   const double range = std::min(statistics.maximum, statistics.threshold) - statistics.minimum;
   if (!(range > 0))
   {
-    return Vector::Ones(curvatures.size());
+    return (curvatures.array() > statistics.minimum).cast<double>();
   }
   return ((curvatures.array() - statistics.minimum) / range).cwiseMax(0).cwiseMin(1);
 }
 
-Vector CumulativeWeights(const Vector& curvatures, const CurvatureStatistics& statistics)
+Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
 {
-  const double* begin = statistics.sorted.data();
-  const double* end = begin + statistics.sorted.size();
-  Vector weights(curvatures.size());
-  ParallelFor(static_cast<Index>(curvatures.size()),
-    [&](Index i)
+  std::vector<std::pair<double, Index>> ranking;
+  ranking.reserve(curvatures.size());
+  for (Index i = 0; i < curvatures.size(); ++i)
+  {
+    if (isUsed[i])
     {
-      const auto atMost = std::upper_bound(begin, end, curvatures[i]) - begin;
-      weights[i] = begin == end ? 1.0 : double(atMost) / double(end - begin);
-    });
+      ranking.emplace_back(curvatures[i], i);
+    }
+  }
+  ParallelSort(ranking.begin(), ranking.end());
+  Vector weights = Vector::Zero(curvatures.size());
+  for (std::size_t first = 0; first < ranking.size();)
+  {
+    std::size_t last = first + 1;
+    while (last < ranking.size() && ranking[last].first == ranking[first].first)
+    {
+      ++last;
+    }
+    for (; first < last; ++first)
+    {
+      weights[ranking[first].second] = double(last) / double(ranking.size());
+    }
+  }
   return weights;
 }
 

@@ -10,26 +10,27 @@ namespace lmo
 /// Distribution of the mean curvature over the vertices that a triangle uses.
 struct CurvatureStatistics
 {
-  Vector sorted; ///< ascending
   double minimum = 0;
   double maximum = 0;
   double threshold = 0; ///< kappa_tau = Q3 + 1.5 (Q3 - Q1), the box-plot test (Tukey 1977)
 };
 
-/// Value below which the share \a q, 0 to 1, of the ascending values lies: linear between
-/// neighbouring order statistics; 0 if there are none.
-double Quantile(const Vector& sorted, double q);
+/// Value below which the share \a q, 0 to 1, of the values lies: linear between neighbouring order
+/// statistics; 0 if there are no values.
+double Quantile(std::vector<double> values, double q);
 
 /// \param curvatures kappa >= 0, one per vertex
 /// \param isUsed the vertices that count
 CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed);
 
 /// Section 5: W_linear / s. Maps [kappa_min, min(kappa_max, kappa_tau)] linearly to [0, 1] and
-/// clamps; 1 everywhere if that interval is empty.
+/// clamps. If that interval is empty because most vertices have the least curvature, as on a CAD
+/// part with flat faces, they have 0 and all others 1; if all curvatures are equal, 1 everywhere.
 Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
 
-/// Eqn. 13: C(kappa), the share of vertices whose curvature is at most kappa, in (0, 1].
-Vector CumulativeWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
+/// Eqn. 13: C(kappa), the share of the vertices that count whose curvature is at most kappa, in
+/// (0, 1]; 0 at the others.
+Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed);
 
 /// Section 5.3: 1 - weights. With linear weights this is W_L = (s I - W_linear) / s.
 Vector ComplementWeights(const Vector& weights);

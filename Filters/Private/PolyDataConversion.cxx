@@ -4,7 +4,6 @@
 
 #include "../Core/Exceptions.h"
 #include "../Core/Parallel.h"
-#include "../Core/Quality.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -15,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -111,106 +111,115 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
   return rows;
 }
 
-/// Appends triangles, after a check of each cell's size and ids.
-class TriangleReader
+/// Copies the connectivity of a vtkCellArray that holds nothing but triangles.
+struct CopyTriangles
 {
-public:
-  TriangleReader(SurfaceMesh& mesh, vtkIdType triangles)
-    : Mesh(mesh)
+  template <typename Array>
+  void operator()(Array* connectivity, vtkIdType points, Triangles& triangles, Faults& outOfRange) const
   {
-    mesh.triangles.resize(triangles, 3);
-    mesh.cellOfTriangle.resize(triangles);
+    const auto ids = vtk::DataArrayValueRange<1>(connectivity);
+    const auto count = static_cast<Index>(triangles.rows());
+    const auto isOutOfRange = [&](Index t)
+    {
+      const auto [least, most] = std::minmax({ ids[3 * vtkIdType(t)], ids[3 * vtkIdType(t) + 1],
+        ids[3 * vtkIdType(t) + 2] });
+      return least < 0 || most >= points;
+    };
+    const Index faults = ParallelSum(count, Index(0),
+      [&](Index& sum, Index t)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          triangles(t, corner) = static_cast<Index>(ids[3 * vtkIdType(t) + corner]);
+        }
+        sum += isOutOfRange(t);
+      });
+    for (Index t = 0; faults > 0 && t < count; ++t)
+    {
+      if (isOutOfRange(t))
+      {
+        outOfRange.Add(t);
+      }
+    }
   }
+};
 
-  void ReadPolygons(vtkCellArray* polygons, vtkIdType firstCell)
+/// Calls visit(cell, size, ids) for each cell.
+template <typename Visit>
+void ForEachCell(vtkCellArray* cells, const Visit& visit)
+{
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
-    this->ForEachCell(polygons,
-      [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+    cells->GetCellAtId(cell, size, ids);
+    visit(cell, size, ids);
+  }
+}
+
+void ReadPolygons(vtkCellArray* polygons, vtkIdType firstCell, vtkIdType points,
+  Triangles& triangles, Faults& outOfRange)
+{
+  if (polygons->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  if (polygons->IsHomogeneous() != 3)
+  {
+    Faults notTriangles;
+    ForEachCell(polygons,
+      [&](vtkIdType cell, vtkIdType size, const vtkIdType*)
       {
         if (size != 3)
         {
-          this->NotTriangles.Add(firstCell + cell);
-          return;
-        }
-        this->Append(firstCell + cell, ids[0], ids[1], ids[2]);
-      });
-  }
-
-  void ReadStrips(vtkCellArray* strips, vtkIdType firstCell)
-  {
-    this->ForEachCell(strips,
-      [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-      {
-        for (vtkIdType k = 0; k + 2 < size; ++k)
-        {
-          // Every second triangle of a strip is stored clockwise.
-          const vtkIdType odd = k % 2;
-          this->Append(firstCell + cell, ids[k], ids[k + 1 + odd], ids[k + 2 - odd]);
+          notTriangles.Add(firstCell + cell);
         }
       });
-  }
-
-  void Finish()
-  {
-    this->NotTriangles.ThrowIfAny("polygons have other than three corners", "cell",
+    notTriangles.ThrowIfAny("polygons have other than three corners", "cell",
       "Apply vtkTriangleFilter (Triangulate in ParaView) first.");
-    this->OutOfRange.ThrowIfAny(
-      "triangles name a point that does not exist", "cell", "Repair the cells of the input.");
   }
-
-private:
-  template <typename Visit>
-  void ForEachCell(vtkCellArray* cells, const Visit& visit)
+  triangles.resize(polygons->GetNumberOfCells(), 3);
+  vtkDataArray* connectivity = polygons->GetConnectivityArray();
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
+        connectivity, CopyTriangles{}, points, triangles, outOfRange))
   {
-    vtkIdType size = 0;
-    const vtkIdType* ids = nullptr;
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, size, ids);
-      visit(cell, size, ids);
-    }
+    CopyTriangles{}(connectivity, points, triangles, outOfRange);
   }
-
-  void Append(vtkIdType cell, vtkIdType a, vtkIdType b, vtkIdType c)
-  {
-    const vtkIdType points = this->Mesh.points.rows();
-    if (std::min({ a, b, c }) < 0 || std::max({ a, b, c }) >= points)
-    {
-      this->OutOfRange.Add(cell);
-      return;
-    }
-    this->Mesh.triangles.row(this->Count) << static_cast<Index>(a), static_cast<Index>(b),
-      static_cast<Index>(c);
-    this->Mesh.cellOfTriangle[this->Count++] = cell;
-  }
-
-  SurfaceMesh& Mesh;
-  Eigen::Index Count = 0;
-  Faults NotTriangles;
-  Faults OutOfRange;
-};
-
-/// For each cell the least value of its triangles.
-Vector MinimumOverCells(const SurfaceMesh& mesh, const Vector& triangleValues, vtkIdType cells)
-{
-  constexpr double unseen = std::numeric_limits<double>::infinity();
-  Vector minimum = Vector::Constant(cells, unseen);
-  for (Eigen::Index t = 0; t < triangleValues.size(); ++t)
-  {
-    double& value = minimum[mesh.cellOfTriangle[t]];
-    value = std::min(value, triangleValues[t]);
-  }
-  return (minimum.array() == unseen).select(UndefinedQuality, minimum);
+  outOfRange.first += outOfRange.count > 0 ? firstCell : 0;
 }
 
-vtkIdType CountStripTriangles(vtkCellArray* strips)
+/// Appends the triangles of the strips, each of which is a cell of its own.
+void ReadStrips(vtkCellArray* strips, vtkIdType firstCell, SurfaceMesh& mesh, Faults& outOfRange)
 {
-  vtkIdType triangles = 0;
-  for (vtkIdType cell = 0; cell < strips->GetNumberOfCells(); ++cell)
+  const vtkIdType points = mesh.points.rows();
+  std::vector<Index> corners;
+  std::vector<vtkIdType>& cells = mesh.triangleCells.cells;
+  for (Index t = 0; t < mesh.triangles.rows(); ++t)
   {
-    triangles += std::max<vtkIdType>(strips->GetCellSize(cell) - 2, 0);
+    cells.push_back(mesh.triangleCells.firstPolygon + t);
   }
-  return triangles;
+  ForEachCell(strips,
+    [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids)
+    {
+      if (std::any_of(ids, ids + size, [&](vtkIdType id) { return id < 0 || id >= points; }))
+      {
+        outOfRange.Add(firstCell + cell);
+        return;
+      }
+      for (vtkIdType k = 0; k + 2 < size; ++k)
+      {
+        // Every second triangle of a strip is stored clockwise.
+        const vtkIdType odd = k % 2;
+        for (const vtkIdType place : { k, k + 1 + odd, k + 2 - odd })
+        {
+          corners.push_back(static_cast<Index>(ids[place]));
+        }
+        cells.push_back(firstCell + cell);
+      }
+    });
+  const Eigen::Index polygons = mesh.triangles.rows();
+  mesh.triangles.conservativeResize(polygons + Eigen::Index(corners.size() / 3), 3);
+  std::copy(corners.begin(), corners.end(), mesh.triangles.data() + 3 * polygons);
 }
 }
 
@@ -218,25 +227,29 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
 {
   if (input->GetNumberOfPoints() > std::numeric_limits<Index>::max())
   {
-    throw InputError(
-      "The input has " + std::to_string(input->GetNumberOfPoints()) +
+    throw InputError("The input has " + std::to_string(input->GetNumberOfPoints()) +
       " points, more than this filter can count. Split it, or use the parallel filter.");
   }
   SurfaceMesh mesh;
   if (input->GetPoints())
   {
-    mesh.points = ReadPoints(input->GetPoints());
+    mesh.points = ReadTuples<Points>(input->GetPoints()->GetData());
   }
   FindNotFinite(mesh.points)
-    .ThrowIfAny("points have NaN or infinite coordinates", "point",
-      "Remove them, for example with vtkExtractPoints or a threshold.");
+    .ThrowIfAny("points have NaN or infinite coordinates", "point", "Remove or repair them.");
 
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
-  TriangleReader reader(mesh, input->GetNumberOfPolys() + CountStripTriangles(input->GetStrips()));
-  reader.ReadPolygons(input->GetPolys(), firstPolygon);
-  reader.ReadStrips(input->GetStrips(), firstStrip);
-  reader.Finish();
+  mesh.triangleCells.firstPolygon = firstPolygon;
+  Faults outOfRange;
+  ReadPolygons(
+    input->GetPolys(), firstPolygon, input->GetNumberOfPoints(), mesh.triangles, outOfRange);
+  if (input->GetNumberOfStrips() > 0)
+  {
+    ReadStrips(
+      input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), mesh, outOfRange);
+  }
+  outOfRange.ThrowIfAny(
+    "cells name a point that does not exist", "cell", "Repair the cells of the input.");
   return mesh;
 }
 
@@ -296,17 +309,12 @@ vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input)
   return result;
 }
 
-Points ReadPoints(vtkPoints* points)
-{
-  return ReadTuples<Points>(points->GetData());
-}
-
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
   array->SetNumberOfTuples(values.size());
-  Eigen::Map<Vector>(array->GetPointer(0), values.size()) = values;
+  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
   return array;
 }
 
@@ -316,7 +324,7 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values
   array->SetName(name);
   array->SetNumberOfComponents(3);
   array->SetNumberOfTuples(values.rows());
-  Eigen::Map<Points>(array->GetPointer(0), values.rows(), 3) = values;
+  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
   return array;
 }
 
@@ -325,25 +333,47 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
   return MakeArray(name, Vector(Vector::Constant(1, value)));
 }
 
-void AddRadiusRatios(
-  const char* name, const SurfaceMesh& mesh, const Vector& radiusRatios, vtkPolyData* output)
+void AddRadiusRatios(const char* name, const MeshQuality& quality,
+  const TriangleCells& triangleCells, vtkPolyData* output)
 {
-  output->GetCellData()->AddArray(
-    MakeArray(name, MinimumOverCells(mesh, radiusRatios, output->GetNumberOfCells())));
-  output->GetPointData()->AddArray(MakeArray(
-    name, MinimumAtVertices(radiusRatios, mesh.triangles, static_cast<Index>(mesh.points.rows()))));
+  Vector cells = Vector::Constant(output->GetNumberOfCells(), UndefinedQuality);
+  for (Index t = 0; t < quality.triangles.size(); ++t)
+  {
+    double& cell = cells[triangleCells(t)];
+    cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
+  }
+  output->GetCellData()->AddArray(MakeArray(name, cells));
+  output->GetPointData()->AddArray(MakeArray(name, quality.vertices));
+}
+
+namespace
+{
+struct ReplaceTuples
+{
+  template <typename Array>
+  void operator()(Array* array, const Points& normals) const
+  {
+    auto tuples = vtk::DataArrayTupleRange<3>(array);
+    ParallelFor(static_cast<Index>(normals.rows()),
+      [&](Index i)
+      {
+        for (int c = 0; c < 3 && normals.row(i).squaredNorm() > 0; ++c)
+        {
+          tuples[i][c] = static_cast<vtk::GetAPIType<Array>>(normals(i, c));
+        }
+      });
+  }
+};
 }
 
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
 {
   auto result = vtk::TakeSmartPointer(input->NewInstance());
   result->DeepCopy(input);
-  for (Eigen::Index i = 0; i < normals.rows(); ++i)
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
+        result.Get(), ReplaceTuples{}, normals))
   {
-    if (normals.row(i).squaredNorm() > 0)
-    {
-      result->SetTuple(i, normals.row(i).data());
-    }
+    ReplaceTuples{}(result.Get(), normals);
   }
   return result;
 }

@@ -3,7 +3,7 @@
 #ifndef PolyDataConversion_h
 #define PolyDataConversion_h
 
-#include "../Core/Types.h"
+#include "../Core/Quality.h"
 
 #include "vtkSmartPointer.h"
 
@@ -18,12 +18,24 @@ class vtkPolyData;
 
 namespace lmo
 {
+/// Which cell each triangle belongs to.
+struct TriangleCells
+{
+  vtkIdType firstPolygon = 0;
+  std::vector<vtkIdType> cells; ///< of each triangle; empty if they are firstPolygon + triangle
+
+  vtkIdType operator()(Index triangle) const
+  {
+    return this->cells.empty() ? this->firstPolygon + triangle : this->cells[triangle];
+  }
+};
+
 /// The triangles of a vtkPolyData, those of its strips included.
 struct SurfaceMesh
 {
   Points points;
   Triangles triangles;
-  std::vector<vtkIdType> cellOfTriangle;
+  TriangleCells triangleCells;
 };
 
 /// \throw InputError for coordinates that are not finite, polygons that are no triangles and point
@@ -42,19 +54,15 @@ Points ReadVectors(vtkDataArray* array, vtkIdType points);
 /// Coordinates in the type of the input's: float for float, double for all others.
 vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input);
 
-/// The coordinates as they are stored.
-Points ReadPoints(vtkPoints* points);
-
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values);
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values);
 
 /// Array of one value, as field data hold it.
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 
-/// Adds the radius ratio of each triangle to the cell data, and its minimum at each point to the
-/// point data.
-void AddRadiusRatios(
-  const char* name, const SurfaceMesh& mesh, const Vector& radiusRatios, vtkPolyData* output);
+/// Adds the radius ratios of the triangles to the cell data and of the vertices to the point data.
+void AddRadiusRatios(const char* name, const MeshQuality& quality,
+  const TriangleCells& triangleCells, vtkPolyData* output);
 
 /// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);

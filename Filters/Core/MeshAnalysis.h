@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_MeshAnalysis_h
+#define lmo_MeshAnalysis_h
+
+#include "Laplacian.h"
+#include "Quality.h"
+#include "Weights.h"
+
+#include <optional>
+
+namespace lmo
+{
+/// L of Eqn. 11.
+enum class LaplacianType
+{
+  UNIFORM,
+  COTANGENT,
+  MEAN_CURVATURE
+};
+
+/// What depends on the mesh alone: each part is computed when it is asked for the first time, and
+/// kept.
+class MeshAnalysis
+{
+public:
+  /// \param triangles ids below the number of rows of \a V
+  MeshAnalysis(Points V, Triangles triangles);
+  MeshAnalysis(const MeshAnalysis&) = delete;
+  void operator=(const MeshAnalysis&) = delete;
+
+  const Points& GetPoints() const { return this->V; }
+  const Triangles& GetTriangles() const { return this->T; }
+  const MeshTopology& GetTopology() const { return *this->Topology; }
+  double GetDiagonal() const { return this->Diagonal; }
+
+  /// L_u, L_c and L_ck.
+  const Laplacian& GetLaplacian(LaplacianType type);
+
+  const Vector& GetVoronoiAreas();
+
+  /// kappa n and kappa of Eqn. 7.
+  const Points& GetMeanCurvatureNormals();
+  const Vector& GetMeanCurvatures();
+
+  const CurvatureStatistics& GetStatistics();
+
+  /// C(kappa) of Eqn. 13.
+  const Vector& GetCumulativeWeights();
+
+  /// delta_c of Eqn. 10, no longer than the longest edge at the vertex: nearly degenerate triangles
+  /// make it explode.
+  const Points& GetDetailLaplacians();
+
+  /// Eqn. 12.
+  const MeshQuality& GetQuality();
+
+  /// Connected component of each vertex.
+  const std::vector<Index>& GetComponents();
+
+  /// How many parts have been computed so far.
+  int GetNumberOfParts() const { return this->NumberOfParts; }
+
+private:
+  /// The part, computed by compute() if that has not been done.
+  template <typename Part, typename Compute>
+  const Part& Get(std::optional<Part>& part, const Compute& compute);
+
+  std::shared_ptr<const AdjacencyLists> OneRings() const;
+
+  /// Computes edge weights and Voronoi areas, which share the cotangents.
+  void ComputeCotangentParts();
+
+  const Points V;
+  const Triangles T;
+  const std::shared_ptr<const MeshTopology> Topology;
+  const double Diagonal;
+  int NumberOfParts = 1;
+  std::shared_ptr<const Vector> EdgeWeights;
+  Vector VoronoiAreas;
+  std::optional<Laplacian> Laplacians[3];
+  std::optional<Points> CurvatureNormals;
+  std::optional<Vector> Curvatures;
+  std::optional<CurvatureStatistics> Statistics;
+  std::optional<Vector> Cumulative;
+  std::optional<Points> DetailLaplacians;
+  std::optional<MeshQuality> Quality;
+  std::optional<std::vector<Index>> Components;
+};
+}
+
+#endif

@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Multigrid.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+using Matrix = Multigrid::Matrix;
+using Row = PackedRow<float>;
+
+constexpr Index CoarsestSize = 400;
+static int SmootherDegree = getenv("DEG")?atoi(getenv("DEG")):2;
+static float SmoothedShare = getenv("SHARE")?atof(getenv("SHARE")):4;
+constexpr float StrongConnection = 0.08f; ///< relative to the geometric mean of the diagonals
+
+Row MultiplyRow(const Matrix& A, const PackedPoints<float>& x, Index i)
+{
+  Row sum = Row::Zero();
+  for (Index k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
+  {
+    sum += A.valuePtr()[k] * x.col(A.innerIndexPtr()[k]);
+  }
+  return sum;
+}
+
+/// Gershgorin bound of the largest eigenvalue of D^-1 A.
+float LargestEigenvalueBound(const Matrix& A)
+{
+  float bound = 0;
+  for (Index i = 0; i < A.rows(); ++i)
+  {
+    float sum = 0;
+    float diagonal = 1;
+    for (Matrix::InnerIterator entry(A, i); entry; ++entry)
+    {
+      sum += std::abs(entry.value());
+      diagonal = entry.col() == i ? entry.value() : diagonal;
+    }
+    bound = std::max(bound, sum / diagonal);
+  }
+  return bound;
+}
+
+/// Groups strongly connected unknowns.
+/// \return aggregate of each unknown, -1 for an unknown without strong connections: the smoother
+/// alone solves for it
+std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
+{
+  constexpr Index undecided = -2;
+  const auto size = static_cast<Index>(A.rows());
+  const Eigen::ArrayXf diagonal = A.diagonal();
+  const auto isStrong = [&](Index i, Index j, float value)
+  {
+    return i != j &&
+      value * value > StrongConnection * StrongConnection * diagonal[i] * diagonal[j];
+  };
+  std::vector<Index> aggregate(size, undecided);
+  aggregates = 0;
+  for (Index i = 0; i < size; ++i)
+  {
+    bool isConnected = false;
+    bool isNeighbourhoodFree = aggregate[i] == undecided;
+    for (Matrix::InnerIterator entry(A, i); entry && isNeighbourhoodFree; ++entry)
+    {
+      if (isStrong(i, entry.col(), entry.value()))
+      {
+        isConnected = true;
+        isNeighbourhoodFree = aggregate[entry.col()] < 0;
+      }
+    }
+    if (!isNeighbourhoodFree)
+    {
+      continue;
+    }
+    aggregate[i] = isConnected ? aggregates : -1;
+    for (Matrix::InnerIterator entry(A, i); entry && isConnected; ++entry)
+    {
+      if (isStrong(i, entry.col(), entry.value()))
+      {
+        aggregate[entry.col()] = aggregates;
+      }
+    }
+    aggregates += isConnected;
+  }
+  // The others join the aggregate of their strongest neighbour that has one.
+  std::vector<Index> joined = aggregate;
+  for (Index i = 0; i < size; ++i)
+  {
+    float strongest = 0;
+    for (Matrix::InnerIterator entry(A, i); entry && aggregate[i] == undecided; ++entry)
+    {
+      if (isStrong(i, entry.col(), entry.value()) && aggregate[entry.col()] >= 0 &&
+        std::abs(entry.value()) > strongest)
+      {
+        strongest = std::abs(entry.value());
+        joined[i] = aggregate[entry.col()];
+      }
+    }
+    if (joined[i] == undecided)
+    {
+      joined[i] = aggregates++;
+    }
+  }
+  return joined;
+}
+
+/// (I - 4 / (3 lambda) D^-1 A) times the piecewise constant prolongation.
+Matrix SmoothedProlongation(const Matrix& A, const Eigen::ArrayXf& damping)
+{
+  Index aggregates = 0;
+  const std::vector<Index> aggregate = Aggregate(A, aggregates);
+  std::vector<Eigen::Triplet<float, Index>> entries;
+  entries.reserve(A.rows());
+  for (Index i = 0; i < A.rows(); ++i)
+  {
+    if (aggregate[i] >= 0)
+    {
+      entries.emplace_back(i, aggregate[i], 1.0f);
+    }
+  }
+  Matrix tentative(A.rows(), aggregates);
+  tentative.setFromTriplets(entries.begin(), entries.end());
+  Matrix smoothed = damping.matrix().asDiagonal() * Matrix(A * tentative);
+  return tentative - smoothed;
+}
+}
+
+Multigrid::Multigrid(Matrix matrix)
+{
+  while (true)
+  {
+    this->Levels.emplace_back();
+    Level& level = this->Levels.back();
+    level.A = std::move(matrix);
+    level.inverseDiagonal = 1 / Values(level.A.diagonal().array());
+    level.largestEigenvalue = LargestEigenvalueBound(level.A);
+    const auto size = static_cast<Index>(level.A.rows());
+    if (size <= CoarsestSize)
+    {
+      break;
+    }
+    level.prolongation = SmoothedProlongation(
+      level.A, 4 / (3 * level.largestEigenvalue) * level.inverseDiagonal);
+    const auto coarseSize = static_cast<Index>(level.prolongation.cols());
+    if (coarseSize == 0 || coarseSize > 0.8 * size)
+    {
+      level.prolongation.resize(0, 0);
+      break;
+    }
+    level.restriction = level.prolongation.transpose();
+    matrix = level.restriction * Matrix(level.A * level.prolongation);
+    level.residual.resize(4, size);
+    level.step.resize(4, size);
+    level.nextStep.resize(4, size);
+    level.coarseRightHandSide.resize(4, coarseSize);
+    level.coarseSolution.resize(4, coarseSize);
+  }
+  this->Coarsest.compute(this->Levels.back().A.cast<double>());
+}
+
+void Multigrid::Cycle(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+{
+  this->CycleFrom(0, rightHandSide, solution);
+}
+
+void Multigrid::CycleFrom(
+  std::size_t index, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+{
+  if (index + 1 == this->Levels.size())
+  {
+    this->SolveCoarsest(rightHandSide, solution);
+    return;
+  }
+  Level& level = this->Levels[index];
+  const auto size = static_cast<Index>(level.A.rows());
+  ParallelFor(size,
+    [&](Index i)
+    {
+      solution.col(i).setZero();
+      level.residual.col(i) = rightHandSide.col(i);
+    });
+  Smooth(level, solution);
+  ParallelFor(static_cast<Index>(level.restriction.rows()),
+    [&](Index i)
+    { level.coarseRightHandSide.col(i) = MultiplyRow(level.restriction, level.residual, i); });
+  this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
+  ParallelFor(size,
+    [&](Index i) { solution.col(i) += MultiplyRow(level.prolongation, level.coarseSolution, i); });
+  ParallelFor(size,
+    [&](Index i)
+    { level.residual.col(i) = rightHandSide.col(i) - MultiplyRow(level.A, solution, i); });
+  Smooth(level, solution);
+}
+
+void Multigrid::Smooth(Level& level, PackedPoints<float>& solution)
+{
+  const float upper = level.largestEigenvalue;
+  const float lower = upper / SmoothedShare;
+  const float centre = (upper + lower) / 2;
+  const float radius = (upper - lower) / 2;
+  const auto size = static_cast<Index>(level.A.rows());
+  ParallelFor(size,
+    [&](Index i)
+    {
+      level.step.col(i) = level.inverseDiagonal[i] / centre * level.residual.col(i);
+      solution.col(i) += level.step.col(i);
+    });
+  float rho = radius / centre;
+  for (int degree = 1; degree < SmootherDegree; ++degree)
+  {
+    const float nextRho = 1 / (2 * centre / radius - rho);
+    ParallelFor(size,
+      [&](Index i)
+      {
+        level.residual.col(i) -= MultiplyRow(level.A, level.step, i);
+        level.nextStep.col(i) = nextRho * rho * level.step.col(i) +
+          2 * nextRho / radius * level.inverseDiagonal[i] * level.residual.col(i);
+        solution.col(i) += level.nextStep.col(i);
+      });
+    level.step.swap(level.nextStep);
+    rho = nextRho;
+  }
+  ParallelFor(
+    size, [&](Index i) { level.residual.col(i) -= MultiplyRow(level.A, level.step, i); });
+}
+
+void Multigrid::SolveCoarsest(
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const
+{
+  const Eigen::MatrixXd b = rightHandSide.matrix().transpose().cast<double>();
+  solution = this->Coarsest.solve(b).transpose().cast<float>().array();
+}
+}

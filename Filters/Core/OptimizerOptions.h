@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_OptimizerOptions_h
+#define lmo_OptimizerOptions_h
+
+#include "LinearSolver.h"
+#include "MeshAnalysis.h"
+
+#include <optional>
+
+namespace lmo
+{
+/// Section 4: what L and f are.
+enum class Mode
+{
+  OPTIMIZE_TRIANGLES,   ///< L = L_u, f = delta_c (section 5)
+  SMOOTH,               ///< f = 0 (section 6)
+  PRESCRIBED_LAPLACIANS ///< f from the user
+};
+
+enum class PositionWeighting
+{
+  CONSTANT,
+  LINEAR,
+  CDF,
+  ANCHORS,
+  ARRAY
+};
+
+enum class LaplacianWeighting
+{
+  CONSTANT,
+  LINEAR_COMPLEMENT,
+  CDF_COMPLEMENT,
+  GAUSSIAN,
+  ARRAY
+};
+
+enum class BoundaryCondition
+{
+  FIXED,   ///< no motion, no Laplacian row
+  SLIDING, ///< along the boundary curve, with a Laplacian row of the curve
+  FREE     ///< as inner vertices
+};
+
+/// The properties of vtkLaplacianMeshOptimizer; see there for meaning and ranges.
+struct OptimizerOptions
+{
+  Mode mode = Mode::OPTIMIZE_TRIANGLES;
+  LaplacianType laplacianType = LaplacianType::UNIFORM;
+  PositionWeighting positionWeighting = PositionWeighting::CDF;
+  double scaleFactor = 1;
+  LaplacianWeighting laplacianWeighting = LaplacianWeighting::CONSTANT;
+  double gaussianWidth = 0.5;
+  bool modulateByTriangleQuality = false;
+  bool tangentPlaneConstraints = false;
+  double tangentPlaneWeight = 1;
+  BoundaryCondition boundaryCondition = BoundaryCondition::FIXED;
+  SolverType solverType = SolverType::AUTOMATIC;
+  SolverOptions solver;
+  bool computeNormals = false; ///< fill OptimizerResult::normals
+  bool roundToFloat = false;   ///< round V' as the caller will, so that all figures fit it
+};
+
+/// Values that the user may give for each vertex.
+struct VertexArrays
+{
+  std::optional<Vector> positionWeights;      ///< W_p or anchors, >= 0
+  std::optional<Vector> laplacianWeights;     ///< W_L, >= 0
+  std::optional<Points> prescribedLaplacians; ///< f
+  std::optional<Vector> fixedPoints;          ///< not 0: does not move
+};
+}
+
+#endif

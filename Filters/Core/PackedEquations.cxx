@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PackedEquations.h"
+
+#include "Parallel.h"
+
+namespace lmo
+{
+template <typename Scalar>
+PackedStiffness<Scalar>::PackedStiffness(const Laplacian& L)
+  : L(L)
+{
+  const AdjacencyLists& rings = *L.rings;
+  const auto rows = static_cast<Index>(rings.offsets.size()) - 1;
+  this->Neighbours.resize(Slots, rows);
+  this->Weights.resize(Slots, L.edgeWeights ? rows : 0);
+  ParallelFor(rows,
+    [&](Index i)
+    {
+      const Index used = std::min<Index>(rings.Size(i), Slots);
+      for (Index slot = 0; slot < Slots; ++slot)
+      {
+        this->Neighbours(slot, i) = slot < used ? rings.Begin(i)[slot] : i;
+        if (L.edgeWeights)
+        {
+          this->Weights(slot, i) =
+            slot < used ? Scalar((*L.edgeWeights)[rings.offsets[i] + slot]) : Scalar(0);
+        }
+      }
+    });
+}
+
+template <typename Scalar>
+PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
+  : Problem(problem)
+  , K(problem.L)
+  , Q(problem.Size())
+  , SquaredPositionWeights(problem.Size())
+  , RowValues(4, problem.Size())
+{
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    {
+      const double weight = problem.positionWeights[i];
+      this->Q[i] = static_cast<Scalar>(RowWeight(problem, i));
+      this->SquaredPositionWeights[i] = static_cast<Scalar>(weight * weight);
+    });
+}
+
+template <typename Scalar>
+Dots PackedEquations<Scalar>::Multiply(
+  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
+{
+  const Dots dots = this->K.IsWeighted() ? this->template MultiplyWeighted<true>(x, product)
+                                         : this->template MultiplyWeighted<false>(x, product);
+  return this->Problem.IsCoupled() ? this->FinishCoupled(x, product) : dots;
+}
+
+template <typename Scalar>
+template <bool Weighted>
+Dots PackedEquations<Scalar>::MultiplyWeighted(
+  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
+{
+  ParallelFor(this->Size(),
+    [&](Index i)
+    { this->RowValues.col(i) = this->Q[i] * this->K.template Row<Weighted>(x, i); });
+  return ParallelSum(this->Size(), Dots(Dots::Zero()),
+    [&](Dots& dots, Index i)
+    {
+      PackedRow<Scalar> row = this->K.template Row<Weighted>(this->RowValues, i) +
+        this->SquaredPositionWeights[i] * x.col(i);
+      if (this->Problem.motion.freedom[i] == MotionConstraints::FIXED)
+      {
+        row.setZero();
+      }
+      product.col(i) = row;
+      dots += (row * x.col(i)).template cast<double>();
+    });
+}
+
+template <typename Scalar>
+Dots PackedEquations<Scalar>::FinishCoupled(
+  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
+{
+  for (const LineRow& row : this->Problem.lineRows)
+  {
+    const PackedRow<Scalar> force = Scalar(row.weight * row.weight) *
+      (Scalar(0.5) * (x.col(row.previous) + x.col(row.next)) - x.col(row.vertex));
+    product.col(row.previous) += Scalar(0.5) * force;
+    product.col(row.next) += Scalar(0.5) * force;
+    product.col(row.vertex) -= force;
+  }
+  const bool hasPlanes = this->Problem.tangentPlaneNormals.rows() > 0;
+  const double squaredWeight = this->Problem.tangentPlaneWeight * this->Problem.tangentPlaneWeight;
+  const double dot = ParallelSum(this->Size(), 0.0,
+    [&](double& sum, Index i)
+    {
+      const Vector3 xi = x.col(i).template head<3>().template cast<double>();
+      Vector3 row = product.col(i).template head<3>().template cast<double>();
+      if (hasPlanes)
+      {
+        const Vector3 normal = this->Problem.tangentPlaneNormals.row(i);
+        row += squaredWeight * normal.dot(xi) * normal;
+      }
+      row = this->Problem.motion.Project(i, row);
+      product.col(i).template head<3>() = row.transpose().array().template cast<Scalar>();
+      sum += row.dot(xi);
+    });
+  return Dots(dot, dot, dot, 0);
+}
+
+template class PackedStiffness<float>;
+template class PackedStiffness<double>;
+template class PackedEquations<float>;
+template class PackedEquations<double>;
+}

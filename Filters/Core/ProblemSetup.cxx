@@ -1,0 +1,209 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProblemSetup.h"
+
+#include "Curvature.h"
+#include "Exceptions.h"
+#include "Parallel.h"
+#include "TriangleGeometry.h"
+
+namespace lmo
+{
+namespace
+{
+/// The array that the user has to give.
+/// \throw InputError if it is missing.
+template <typename Values>
+const Values& Require(const std::optional<Values>& array, const char* what)
+{
+  if (!array)
+  {
+    throw InputError(
+      std::string(what) + ", and none is chosen. Choose one, or another scheme or mode.");
+  }
+  return *array;
+}
+
+/// Sections 5 and 6: the diagonal of W_p before W_t.
+Vector SchemePositionWeights(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const char* const needed = "The position weighting needs a point array";
+  const double s = options.scaleFactor;
+  switch (options.positionWeighting)
+  {
+    case PositionWeighting::LINEAR:
+      return s * LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics());
+    case PositionWeighting::CDF:
+      return s * mesh.GetCumulativeWeights();
+    case PositionWeighting::ANCHORS:
+      return s * AnchorWeights(Require(arrays.positionWeights, needed));
+    case PositionWeighting::ARRAY:
+      return Require(arrays.positionWeights, needed);
+    default:
+      return Vector::Constant(mesh.GetTopology().vertices, s);
+  }
+}
+
+Mask FixedVertices(
+  const MeshTopology& topology, BoundaryCondition condition, const VertexArrays& arrays)
+{
+  Mask isFixed(topology.vertices);
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    isFixed[i] = !topology.isUsed[i] ||
+      (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
+      (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
+  }
+  return isFixed;
+}
+
+/// L of section 4, its rows as the boundary condition wants them.
+Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
+{
+  const LaplacianType type = options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM
+                                                                      : options.laplacianType;
+  Laplacian L = mesh.GetLaplacian(type);
+  if (type == LaplacianType::MEAN_CURVATURE)
+  {
+    L.rowScale *= SquaredLengthScale(L);
+  }
+  const MeshTopology& topology = mesh.GetTopology();
+  if (options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty())
+  {
+    for (Index i = 0; i < topology.vertices; ++i)
+    {
+      L.rowScale[i] = topology.isBoundary[i] ? 0 : L.rowScale[i];
+    }
+  }
+  return L;
+}
+
+/// c = f - L V, with f of section 4.
+Points ChooseTarget(
+  MeshAnalysis& mesh, const Laplacian& L, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  Points target = Apply(L, mesh.GetPoints());
+  switch (options.mode)
+  {
+    case Mode::OPTIMIZE_TRIANGLES:
+      return mesh.GetDetailLaplacians() - target;
+    case Mode::PRESCRIBED_LAPLACIANS:
+      return Require(arrays.prescribedLaplacians,
+               "The mode needs a point array of prescribed Laplacians with 3 components") -
+        target;
+    default:
+      return -target;
+  }
+}
+
+MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& boundary)
+{
+  MotionConstraints motion;
+  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
+  for (std::size_t i = 0; i < motion.freedom.size(); ++i)
+  {
+    const bool isFixed =
+      motion.freedom[i] || (boundary && boundary->pointClass[i] == FeatureLines::CORNER);
+    const bool slides = boundary && boundary->pointClass[i] == FeatureLines::EDGE;
+    motion.freedom[i] = isFixed ? MotionConstraints::FIXED
+      : slides                  ? MotionConstraints::ALONG_LINE
+                                : MotionConstraints::FREE;
+  }
+  if (boundary)
+  {
+    motion.tangents = boundary->tangents;
+  }
+  return motion;
+}
+
+/// Rows that spread the boundary vertices evenly along the boundary and leave its shape alone: the
+/// prescribed Laplacian of the curve is its own part across the curve.
+std::vector<LineRow> SlidingRows(
+  const FeatureLines& boundary, const Points& V, const Vector& laplacianWeights)
+{
+  std::vector<LineRow> rows;
+  ForEachLineVertex(boundary,
+    [&](Index i, Index previous, Index next)
+    {
+      const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+      const Vector3 tangent = boundary.tangents.row(i);
+      rows.push_back(
+        { i, previous, next, laplacianWeights[i], -laplacian.dot(tangent) * tangent });
+    });
+  return rows;
+}
+}
+
+Vector PositionWeights(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  Vector weights = SchemePositionWeights(mesh, options, arrays);
+  if (options.modulateByTriangleQuality)
+  {
+    weights.array() *= mesh.GetQuality().vertices.array().cwiseMax(0);
+  }
+  if ((weights.array() <= 0).any())
+  {
+    HoldLooseComponents(mesh.GetComponents(),
+      FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights);
+  }
+  return weights;
+}
+
+Vector LaplacianWeights(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  switch (options.laplacianWeighting)
+  {
+    case LaplacianWeighting::LINEAR_COMPLEMENT:
+      return ComplementWeights(LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics()));
+    case LaplacianWeighting::CDF_COMPLEMENT:
+      return ComplementWeights(mesh.GetCumulativeWeights());
+    case LaplacianWeighting::GAUSSIAN:
+      return GaussianWeights(
+        mesh.GetMeanCurvatures(), options.gaussianWidth * mesh.GetStatistics().threshold);
+    case LaplacianWeighting::ARRAY:
+      return Require(arrays.laplacianWeights, "The Laplacian weighting needs a point array");
+    default:
+      return Vector::Ones(mesh.GetTopology().vertices);
+  }
+}
+
+std::optional<FeatureLines> SlidingBoundary(
+  const MeshAnalysis& mesh, BoundaryCondition boundaryCondition)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  if (boundaryCondition != BoundaryCondition::SLIDING || topology.boundaryEdges.ids.empty())
+  {
+    return std::nullopt;
+  }
+  return ClassifyLines(std::make_shared<AdjacencyLists>(topology.boundaryEdges), mesh.GetPoints());
+}
+
+LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& boundary)
+{
+  LeastSquaresProblem problem;
+  problem.L = ChooseLaplacian(mesh, options);
+  problem.laplacianWeights = LaplacianWeights(mesh, options, arrays);
+  problem.target = ChooseTarget(mesh, problem.L, options, arrays);
+  problem.positionWeights = PositionWeights(mesh, options, arrays);
+  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, boundary);
+  if (boundary)
+  {
+    problem.lineRows = SlidingRows(*boundary, mesh.GetPoints(), problem.laplacianWeights);
+  }
+  if (options.tangentPlaneConstraints)
+  {
+    problem.tangentPlaneNormals =
+      TangentPlaneNormals(mesh.GetMeanCurvatureNormals(), mesh.GetMeanCurvatures(),
+        VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()),
+        mesh.GetTopology());
+    problem.tangentPlaneWeight = options.tangentPlaneWeight;
+  }
+  return problem;
+}
+}
