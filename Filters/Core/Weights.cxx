@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lmo
 {
@@ -73,7 +74,16 @@ Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
     }
   }
   ParallelSort(ranking.begin(), ranking.end());
-  Vector weights = Vector::Zero(curvatures.size());
+  Vector weights(curvatures.size());
+  for (Index i = 0; i < curvatures.size(); ++i)
+  {
+    if (!isUsed[i])
+    {
+      const auto above = std::upper_bound(ranking.begin(), ranking.end(),
+        std::make_pair(curvatures[i], std::numeric_limits<Index>::max()));
+      weights[i] = double(above - ranking.begin()) / std::max(1.0, double(ranking.size()));
+    }
+  }
   for (std::size_t first = 0; first < ranking.size();)
   {
     std::size_t last = first + 1;

@@ -29,7 +29,7 @@ CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUs
 Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
 
 /// Eqn. 13: C(kappa), the share of the vertices that count whose curvature is at most kappa, in
-/// (0, 1]; 0 at the others.
+/// [0, 1]; more than 0 at vertices that count.
 Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed);
 
 /// Section 5.3: 1 - weights. With linear weights this is W_L = (s I - W_linear) / s.

@@ -178,7 +178,9 @@ def box_plot_threshold(kappa):
 
 def linear_weights(kappa, used):
     low, high = kappa[used].min(), min(kappa[used].max(), box_plot_threshold(kappa[used]))
-    return np.clip((kappa - low) / (high - low), 0, 1) if high > low else np.ones_like(kappa)
+    if kappa[used].max() == low:
+        return np.ones_like(kappa)
+    return np.clip((kappa - low) / (high - low), 0, 1) if high > low else (kappa > low) * 1.0
 
 
 def cumulative_weights(kappa, used):
