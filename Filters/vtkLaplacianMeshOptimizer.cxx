@@ -47,8 +47,8 @@ void CheckNumber(const char* name, double value, bool isValid, const char* range
 }
 }
 
-/// What needs the numerics' types. The optimizer is kept for the next execution, which often differs
-/// in a property alone.
+/// What needs the numerics' types. The optimizer is kept for the next execution, which often
+/// differs in a property alone.
 struct vtkLaplacianMeshOptimizer::Internals
 {
   vtkLaplacianMeshOptimizer* Filter;
@@ -138,8 +138,8 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPoly
   if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
   {
     throw lmo::InputError("There is no numeric point array '" +
-      std::string(isNamed ? name : "of the chosen attribute") +
-      "'. Choose one that the input has.");
+                          std::string(isNamed ? name : "of the chosen attribute") +
+                          "'. Choose one that the input has.");
   }
   return array;
 }
@@ -230,8 +230,7 @@ void vtkLaplacianMeshOptimizer::Internals::WritePoints(
   {
     pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
   }
-  lmo::AddRadiusRatios(
-    "InputRadiusRatio", result.comparison.before, this->TriangleCells, output);
+  lmo::AddRadiusRatios("InputRadiusRatio", result.comparison.before, this->TriangleCells, output);
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, this->TriangleCells, output);
 }
 

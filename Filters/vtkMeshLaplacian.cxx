@@ -30,15 +30,14 @@ void AddLaplacians(lmo::MeshAnalysis& mesh, vtkPointData* pointData)
   const auto laplacian = [&](lmo::LaplacianType type)
   { return lmo::Apply(mesh.GetLaplacian(type), V); };
 
-  pointData->AddArray(
-    lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
+  pointData->AddArray(lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
   pointData->AddArray(
     lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
   pointData->AddArray(lmo::MakeArray("MeanCurvatureNormal", mesh.GetMeanCurvatureNormals()));
   pointData->AddArray(lmo::MakeArray("MeanCurvature", mesh.GetMeanCurvatures()));
   pointData->AddArray(lmo::MakeArray("GaussianCurvature",
-    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology),
-      mesh.GetVoronoiAreas(), topology)));
+    lmo::GaussianCurvatures(
+      lmo::AngleDefects(V, mesh.GetTriangles(), topology), mesh.GetVoronoiAreas(), topology)));
   pointData->AddArray(lmo::MakeArray("VoronoiArea", mesh.GetVoronoiAreas()));
 }
 }

@@ -8,6 +8,7 @@
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 
+#include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkGenericCell.h"
@@ -18,6 +19,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocalObject.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
@@ -40,9 +42,10 @@ public:
     , Topology(lmo::BuildTopology(lmo::Index(this->Mesh.points.rows()), this->Mesh.triangles))
     , Sampler(this->Mesh.points, this->Mesh.triangles)
   {
-    if (this->Mesh.triangles.rows() > 0)
+    if (!this->IsEmpty())
     {
       vtkNew<vtkPolyData> triangles;
+      triangles->SetLines(this->EdgesOfFlatTriangles());
       triangles->SetPoints(input->GetPoints());
       triangles->SetPolys(input->GetPolys());
       triangles->SetStrips(input->GetStrips());
@@ -51,7 +54,7 @@ public:
     }
   }
 
-  bool IsEmpty() const { return this->Mesh.triangles.rows() == 0; }
+  bool IsEmpty() const { return this->Topology.cornersAt.ids.empty(); }
   const lmo::Points& GetPoints() const { return this->Mesh.points; }
   double Diagonal() const { return lmo::BoundingBoxDiagonal(this->Mesh.points, this->Topology); }
 
@@ -99,6 +102,24 @@ public:
   }
 
 private:
+  /// The locator does not find triangles without area; it does find their edges.
+  vtkSmartPointer<vtkCellArray> EdgesOfFlatTriangles() const
+  {
+    auto edges = vtkSmartPointer<vtkCellArray>::New();
+    const lmo::Triangles& T = this->Mesh.triangles;
+    for (lmo::Index t = 0; t < T.rows(); ++t)
+    {
+      if (!lmo::IsCollapsed(T, t) && !(lmo::ScaledNormal(this->Mesh.points, T, t).norm() > 0))
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          edges->InsertNextCell({ T(t, corner), T(t, (corner + 1) % 3) });
+        }
+      }
+    }
+    return edges;
+  }
+
   lmo::SurfaceMesh Mesh;
   lmo::MeshTopology Topology;
   lmo::SurfaceSampler Sampler;

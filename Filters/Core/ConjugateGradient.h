@@ -25,9 +25,10 @@ struct Solution
 };
 
 /// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
-/// lengths of their own and share the stopping test. Search directions have the precision of Scalar;
-/// d and, from time to time, the residual are computed in double (residual replacement, van der
-/// Vorst and Ye 2000), so that single precision reaches any tolerance at half the memory traffic.
+/// lengths of their own and share the stopping test. Search directions have the precision of
+/// Scalar; d and, from time to time, the residual are computed in double (residual replacement, van
+/// der Vorst and Ye 2000), so that single precision reaches any tolerance at half the memory
+/// traffic.
 template <typename Scalar, typename Preconditioner>
 class ConjugateGradient
 {
@@ -40,8 +41,8 @@ public:
   /// of Scalar allows no progress.
   /// \param rightHandSideNorm |b|, > 0
   /// \throw Cancelled if the monitor says so; it is asked in every iteration.
-  void Run(double rightHandSideNorm, const SolverOptions& options, Monitor& monitor,
-    Solution& solution);
+  void Run(
+    double rightHandSideNorm, const SolverOptions& options, Monitor& monitor, Solution& solution);
 
 private:
   using Row = PackedRow<Scalar>;

@@ -38,15 +38,13 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
   this->UpdateDirection(Dots::Zero());
   while (exactNorm > options.tolerance && solution.iterations < options.maximumIterations)
   {
-    this->Alpha =
-      DivideDots(this->Rho, this->A.Multiply(this->Direction, this->Product));
+    this->Alpha = DivideDots(this->Rho, this->A.Multiply(this->Direction, this->Product));
     const Dots oldRho = this->Rho;
     const double norm = this->UpdateResidual();
     ++solution.iterations;
-    monitor.Report(
-      std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
+    monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
     const bool isLast = solution.iterations == options.maximumIterations ||
-      !(this->Alpha > 0).any() || !(norm > options.tolerance);
+                        !(this->Alpha > 0).any() || !(norm > options.tolerance);
     if (isLast || norm < ReplacementRatio * exactNorm)
     {
       const double oldExactNorm = exactNorm;
@@ -130,7 +128,8 @@ void ConjugateGradient<Scalar, Preconditioner>::Collect(Points& d)
     [&](Index i)
     {
       const Row step = this->Steps.col(i) + alpha * this->Direction.col(i);
-      d.row(i) += this->Scale * step.template head<3>().template cast<double>().matrix();
+      const Vector3 exactStep = step.template head<3>().template cast<double>().matrix();
+      d.row(i) += this->Scale * this->Problem.motion.Project(i, exactStep);
       this->Steps.col(i).setZero();
     });
   this->Alpha.setZero();

@@ -43,8 +43,8 @@ Vector Diagonal(const LeastSquaresProblem& problem)
     [&](Index i)
     {
       const double sum = WeightSum(L, i);
-      double value = problem.positionWeights[i] * problem.positionWeights[i] +
-        sum * sum * RowWeight(problem, i);
+      double value =
+        problem.positionWeights[i] * problem.positionWeights[i] + sum * sum * RowWeight(problem, i);
       for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
       {
         const double weight = L.edgeWeights ? (*L.edgeWeights)[k] : 1;
@@ -71,18 +71,17 @@ Points Residual(const LeastSquaresProblem& problem, const Points& d)
     {
       const double weight = problem.laplacianWeights[i];
       y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i) +
-        RowWeight(problem, i) * StiffnessRow(L, d, i);
+                 RowWeight(problem, i) * StiffnessRow(L, d, i);
     });
   Points residual(problem.Size(), 3);
   ParallelFor(problem.Size(),
-    [&](Index i)
-    { residual.row(i) = PositionForce(problem, d, i) - StiffnessRow(L, y, i); });
+    [&](Index i) { residual.row(i) = PositionForce(problem, d, i) - StiffnessRow(L, y, i); });
   for (const LineRow& row : problem.lineRows)
   {
     AddLineRow(row, d, residual);
   }
-  ParallelFor(problem.Size(),
-    [&](Index i) { residual.row(i) = problem.motion.Project(i, residual.row(i)); });
+  ParallelFor(
+    problem.Size(), [&](Index i) { residual.row(i) = problem.motion.Project(i, residual.row(i)); });
   return residual;
 }
 

@@ -35,8 +35,8 @@ void Iterate(const LeastSquaresProblem& problem, double bNorm, const SolverOptio
   }
 }
 
-/// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and the
-/// caller sees its residual.
+/// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
+/// the caller sees its residual.
 void ImproveDirectly(const LeastSquaresProblem& problem, double bNorm, Solution& solution)
 {
   try

@@ -36,8 +36,8 @@ void BoundByLongestEdge(const AdjacencyLists& oneRings, const Points& V, Points&
 MeshAnalysis::MeshAnalysis(Points V, Triangles triangles)
   : V(std::move(V))
   , T(std::move(triangles))
-  , Topology(std::make_shared<MeshTopology>(
-      BuildTopology(static_cast<Index>(this->V.rows()), this->T)))
+  , Topology(
+      std::make_shared<MeshTopology>(BuildTopology(static_cast<Index>(this->V.rows()), this->T)))
   , Diagonal(BoundingBoxDiagonal(this->V, *this->Topology))
 {
 }
@@ -86,8 +86,8 @@ const Laplacian& MeshAnalysis::GetLaplacian(LaplacianType type)
       }
       this->ComputeCotangentParts();
       return type == LaplacianType::COTANGENT
-        ? CotangentLaplacian(this->OneRings(), this->EdgeWeights)
-        : MeanCurvatureLaplacian(this->OneRings(), this->EdgeWeights, this->VoronoiAreas);
+               ? CotangentLaplacian(this->OneRings(), this->EdgeWeights)
+               : MeanCurvatureLaplacian(this->OneRings(), this->EdgeWeights, this->VoronoiAreas);
     });
 }
 
@@ -103,11 +103,8 @@ const Points& MeshAnalysis::GetMeanCurvatureNormals()
 
 const Vector& MeshAnalysis::GetMeanCurvatures()
 {
-  return this->Get(this->Curvatures,
-    [&]
-    {
-      return MeanCurvatures(this->GetMeanCurvatureNormals(), this->Diagonal, *this->Topology);
-    });
+  return this->Get(this->Curvatures, [&]
+    { return MeanCurvatures(this->GetMeanCurvatureNormals(), this->Diagonal, *this->Topology); });
 }
 
 const CurvatureStatistics& MeshAnalysis::GetStatistics()
@@ -140,7 +137,6 @@ const MeshQuality& MeshAnalysis::GetQuality()
 
 const std::vector<Index>& MeshAnalysis::GetComponents()
 {
-  return this->Get(
-    this->Components, [&] { return ConnectedComponents(this->Topology->oneRings); });
+  return this->Get(this->Components, [&] { return ConnectedComponents(this->Topology->oneRings); });
 }
 }

@@ -66,8 +66,8 @@ public:
     SortShort(this->Next);
     SortShort(this->Previous);
     this->Boundary.clear();
-    const bool isInside = this->Next == this->Previous &&
-      std::adjacent_find(this->Next.begin(), this->Next.end()) == this->Next.end();
+    const bool isInside = this->Next == this->Previous && std::adjacent_find(this->Next.begin(),
+                                                            this->Next.end()) == this->Next.end();
     if (!isInside)
     {
       this->CountTriangles();
@@ -140,8 +140,8 @@ void Place(const std::vector<RangeOfLists>& ranges, std::vector<Index> RangeOfLi
     const std::vector<Index>& source = ranges[block].*ids;
     if (!source.empty())
     {
-      std::copy(source.begin(), source.end(),
-        lists.ids.begin() + lists.offsets[block * ParallelBlock]);
+      std::copy(
+        source.begin(), source.end(), lists.ids.begin() + lists.offsets[block * ParallelBlock]);
     }
   }
 }

@@ -5,6 +5,8 @@
 
 #include "Exceptions.h"
 
+#include <algorithm>
+
 namespace lmo
 {
 /// How the numerics report progress and learn that the user wants to stop.
@@ -13,11 +15,12 @@ class Monitor
 public:
   virtual ~Monitor() = default;
 
-  /// Reports the finished fraction, 0 to 1.
+  /// Reports the finished fraction, 0 to 1. Never shows less than before.
   /// \throw Cancelled if the user asked to stop.
   void Report(double fraction)
   {
-    this->ShowProgress(fraction);
+    this->Finished = std::max(this->Finished, fraction);
+    this->ShowProgress(this->Finished);
     if (this->IsCancelled())
     {
       throw Cancelled();
@@ -27,6 +30,9 @@ public:
 protected:
   virtual void ShowProgress(double) {}
   virtual bool IsCancelled() { return false; }
+
+private:
+  double Finished = 0;
 };
 }
 

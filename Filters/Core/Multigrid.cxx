@@ -11,15 +11,14 @@ namespace lmo
 {
 namespace
 {
-using Matrix = Multigrid::Matrix;
 using Row = PackedRow<float>;
 
 constexpr Index CoarsestSize = 400;
-static int SmootherDegree = getenv("DEG")?atoi(getenv("DEG")):2;
-static float SmoothedShare = getenv("SHARE")?atof(getenv("SHARE")):4;
+static int SmootherDegree = getenv("DEG") ? atoi(getenv("DEG")) : 2;
+static float SmoothedShare = getenv("SHARE") ? atof(getenv("SHARE")) : 4;
 constexpr float StrongConnection = 0.08f; ///< relative to the geometric mean of the diagonals
 
-Row MultiplyRow(const Matrix& A, const PackedPoints<float>& x, Index i)
+Row MultiplyRow(const SparseRows& A, const PackedPoints<float>& x, Index i)
 {
   Row sum = Row::Zero();
   for (Index k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
@@ -30,14 +29,14 @@ Row MultiplyRow(const Matrix& A, const PackedPoints<float>& x, Index i)
 }
 
 /// Gershgorin bound of the largest eigenvalue of D^-1 A.
-float LargestEigenvalueBound(const Matrix& A)
+float LargestEigenvalueBound(const SparseRows& A)
 {
   float bound = 0;
   for (Index i = 0; i < A.rows(); ++i)
   {
     float sum = 0;
     float diagonal = 1;
-    for (Matrix::InnerIterator entry(A, i); entry; ++entry)
+    for (SparseRows::InnerIterator entry(A, i); entry; ++entry)
     {
       sum += std::abs(entry.value());
       diagonal = entry.col() == i ? entry.value() : diagonal;
@@ -50,7 +49,7 @@ float LargestEigenvalueBound(const Matrix& A)
 /// Groups strongly connected unknowns.
 /// \return aggregate of each unknown, -1 for an unknown without strong connections: the smoother
 /// alone solves for it
-std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
+std::vector<Index> Aggregate(const SparseRows& A, Index& aggregates)
 {
   constexpr Index undecided = -2;
   const auto size = static_cast<Index>(A.rows());
@@ -58,7 +57,7 @@ std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
   const auto isStrong = [&](Index i, Index j, float value)
   {
     return i != j &&
-      value * value > StrongConnection * StrongConnection * diagonal[i] * diagonal[j];
+           value * value > StrongConnection * StrongConnection * diagonal[i] * diagonal[j];
   };
   std::vector<Index> aggregate(size, undecided);
   aggregates = 0;
@@ -66,7 +65,7 @@ std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
   {
     bool isConnected = false;
     bool isNeighbourhoodFree = aggregate[i] == undecided;
-    for (Matrix::InnerIterator entry(A, i); entry && isNeighbourhoodFree; ++entry)
+    for (SparseRows::InnerIterator entry(A, i); entry && isNeighbourhoodFree; ++entry)
     {
       if (isStrong(i, entry.col(), entry.value()))
       {
@@ -79,7 +78,7 @@ std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
       continue;
     }
     aggregate[i] = isConnected ? aggregates : -1;
-    for (Matrix::InnerIterator entry(A, i); entry && isConnected; ++entry)
+    for (SparseRows::InnerIterator entry(A, i); entry && isConnected; ++entry)
     {
       if (isStrong(i, entry.col(), entry.value()))
       {
@@ -93,10 +92,10 @@ std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
   for (Index i = 0; i < size; ++i)
   {
     float strongest = 0;
-    for (Matrix::InnerIterator entry(A, i); entry && aggregate[i] == undecided; ++entry)
+    for (SparseRows::InnerIterator entry(A, i); entry && aggregate[i] == undecided; ++entry)
     {
       if (isStrong(i, entry.col(), entry.value()) && aggregate[entry.col()] >= 0 &&
-        std::abs(entry.value()) > strongest)
+          std::abs(entry.value()) > strongest)
       {
         strongest = std::abs(entry.value());
         joined[i] = aggregate[entry.col()];
@@ -111,27 +110,29 @@ std::vector<Index> Aggregate(const Matrix& A, Index& aggregates)
 }
 
 /// (I - 4 / (3 lambda) D^-1 A) times the piecewise constant prolongation.
-Matrix SmoothedProlongation(const Matrix& A, const Eigen::ArrayXf& damping)
+SparseRows SmoothedProlongation(const SparseRows& A, const Eigen::ArrayXf& damping)
 {
   Index aggregates = 0;
   const std::vector<Index> aggregate = Aggregate(A, aggregates);
-  std::vector<Eigen::Triplet<float, Index>> entries;
-  entries.reserve(A.rows());
-  for (Index i = 0; i < A.rows(); ++i)
-  {
-    if (aggregate[i] >= 0)
+  return MakeSparseRows(static_cast<Index>(A.rows()), aggregates,
+    [&](Index i, const auto& add)
     {
-      entries.emplace_back(i, aggregate[i], 1.0f);
-    }
-  }
-  Matrix tentative(A.rows(), aggregates);
-  tentative.setFromTriplets(entries.begin(), entries.end());
-  Matrix smoothed = damping.matrix().asDiagonal() * Matrix(A * tentative);
-  return tentative - smoothed;
+      if (aggregate[i] >= 0)
+      {
+        add(aggregate[i], 1);
+      }
+      for (SparseRows::InnerIterator entry(A, i); entry; ++entry)
+      {
+        if (aggregate[entry.col()] >= 0)
+        {
+          add(aggregate[entry.col()], -damping[i] * entry.value());
+        }
+      }
+    });
 }
 }
 
-Multigrid::Multigrid(Matrix matrix)
+Multigrid::Multigrid(SparseRows matrix)
 {
   while (true)
   {
@@ -145,8 +146,8 @@ Multigrid::Multigrid(Matrix matrix)
     {
       break;
     }
-    level.prolongation = SmoothedProlongation(
-      level.A, 4 / (3 * level.largestEigenvalue) * level.inverseDiagonal);
+    level.prolongation =
+      SmoothedProlongation(level.A, 4 / (3 * level.largestEigenvalue) * level.inverseDiagonal);
     const auto coarseSize = static_cast<Index>(level.prolongation.cols());
     if (coarseSize == 0 || coarseSize > 0.8 * size)
     {
@@ -154,7 +155,7 @@ Multigrid::Multigrid(Matrix matrix)
       break;
     }
     level.restriction = level.prolongation.transpose();
-    matrix = level.restriction * Matrix(level.A * level.prolongation);
+    matrix = Multiply(level.restriction, Multiply(level.A, level.prolongation));
     level.residual.resize(4, size);
     level.step.resize(4, size);
     level.nextStep.resize(4, size);
@@ -186,14 +187,12 @@ void Multigrid::CycleFrom(
       level.residual.col(i) = rightHandSide.col(i);
     });
   Smooth(level, solution);
-  ParallelFor(static_cast<Index>(level.restriction.rows()),
-    [&](Index i)
+  ParallelFor(static_cast<Index>(level.restriction.rows()), [&](Index i)
     { level.coarseRightHandSide.col(i) = MultiplyRow(level.restriction, level.residual, i); });
   this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
   ParallelFor(size,
     [&](Index i) { solution.col(i) += MultiplyRow(level.prolongation, level.coarseSolution, i); });
-  ParallelFor(size,
-    [&](Index i)
+  ParallelFor(size, [&](Index i)
     { level.residual.col(i) = rightHandSide.col(i) - MultiplyRow(level.A, solution, i); });
   Smooth(level, solution);
 }
@@ -219,15 +218,15 @@ void Multigrid::Smooth(Level& level, PackedPoints<float>& solution)
       [&](Index i)
       {
         level.residual.col(i) -= MultiplyRow(level.A, level.step, i);
-        level.nextStep.col(i) = nextRho * rho * level.step.col(i) +
-          2 * nextRho / radius * level.inverseDiagonal[i] * level.residual.col(i);
+        level.nextStep.col(i) = nextRho * rho * level.step.col(i) + 2 * nextRho / radius *
+                                                                      level.inverseDiagonal[i] *
+                                                                      level.residual.col(i);
         solution.col(i) += level.nextStep.col(i);
       });
     level.step.swap(level.nextStep);
     rho = nextRho;
   }
-  ParallelFor(
-    size, [&](Index i) { level.residual.col(i) -= MultiplyRow(level.A, level.step, i); });
+  ParallelFor(size, [&](Index i) { level.residual.col(i) -= MultiplyRow(level.A, level.step, i); });
 }
 
 void Multigrid::SolveCoarsest(

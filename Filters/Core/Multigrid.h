@@ -4,6 +4,7 @@
 #define lmo_Multigrid_h
 
 #include "PackedEquations.h"
+#include "SparseProduct.h"
 
 #include <Eigen/SparseCholesky>
 
@@ -11,14 +12,12 @@
 
 namespace lmo
 {
-/// Approximate inverse of a symmetric, diagonally dominant sparse matrix with positive diagonal: one
-/// V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996), which is symmetric itself.
+/// Approximate inverse of a symmetric, diagonally dominant sparse matrix with positive diagonal:
+/// one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996), which is symmetric itself.
 class Multigrid
 {
 public:
-  using Matrix = Eigen::SparseMatrix<float, Eigen::RowMajor, Index>;
-
-  explicit Multigrid(Matrix matrix);
+  explicit Multigrid(SparseRows matrix);
 
   /// solution = approximately matrix^-1 rightHandSide
   void Cycle(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
@@ -30,9 +29,9 @@ private:
 
   struct Level
   {
-    Matrix A;
-    Matrix prolongation; ///< from the next, coarser level; empty on the coarsest
-    Matrix restriction;  ///< its transpose
+    SparseRows A;
+    SparseRows prolongation; ///< from the next, coarser level; empty on the coarsest
+    SparseRows restriction;  ///< its transpose
     Values inverseDiagonal;
     float largestEigenvalue; ///< bound for the scaled matrix
     PackedPoints<float> residual;
@@ -46,8 +45,8 @@ private:
   /// before and after.
   static void Smooth(Level& level, PackedPoints<float>& solution);
 
-  void CycleFrom(std::size_t level, const PackedPoints<float>& rightHandSide,
-    PackedPoints<float>& solution);
+  void CycleFrom(
+    std::size_t level, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
   void SolveCoarsest(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const;
 
   std::vector<Level> Levels;

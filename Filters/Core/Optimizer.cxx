@@ -107,8 +107,8 @@ OptimizerResult Optimizer::RunInOrder(
   {
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());
   }
-  result.comparison = CompareSurfaces(V, result.positions, T, mesh.GetQuality(),
-    mesh.GetDiagonal(), mesh.GetTopology().IsClosed());
+  result.comparison = CompareSurfaces(
+    V, result.positions, T, mesh.GetQuality(), mesh.GetDiagonal(), mesh.GetTopology().IsClosed());
   return result;
 }
 }

@@ -48,8 +48,7 @@ PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
 }
 
 template <typename Scalar>
-Dots PackedEquations<Scalar>::Multiply(
-  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
+Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   const Dots dots = this->K.IsWeighted() ? this->template MultiplyWeighted<true>(x, product)
                                          : this->template MultiplyWeighted<false>(x, product);
@@ -62,13 +61,12 @@ Dots PackedEquations<Scalar>::MultiplyWeighted(
   const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   ParallelFor(this->Size(),
-    [&](Index i)
-    { this->RowValues.col(i) = this->Q[i] * this->K.template Row<Weighted>(x, i); });
+    [&](Index i) { this->RowValues.col(i) = this->Q[i] * this->K.template Row<Weighted>(x, i); });
   return ParallelSum(this->Size(), Dots(Dots::Zero()),
     [&](Dots& dots, Index i)
     {
       PackedRow<Scalar> row = this->K.template Row<Weighted>(this->RowValues, i) +
-        this->SquaredPositionWeights[i] * x.col(i);
+                              this->SquaredPositionWeights[i] * x.col(i);
       if (this->Problem.motion.freedom[i] == MotionConstraints::FIXED)
       {
         row.setZero();
@@ -84,7 +82,8 @@ Dots PackedEquations<Scalar>::FinishCoupled(
 {
   for (const LineRow& row : this->Problem.lineRows)
   {
-    const PackedRow<Scalar> force = Scalar(row.weight * row.weight) *
+    const PackedRow<Scalar> force =
+      Scalar(row.weight * row.weight) *
       (Scalar(0.5) * (x.col(row.previous) + x.col(row.next)) - x.col(row.vertex));
     product.col(row.previous) += Scalar(0.5) * force;
     product.col(row.next) += Scalar(0.5) * force;

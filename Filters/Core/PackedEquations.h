@@ -17,8 +17,8 @@ using PackedRow = Eigen::Array<Scalar, 4, 1>;
 /// An inner product each for x, y and z; the fourth is 0.
 using Dots = Eigen::Array4d;
 
-/// K = E - S with the first neighbours of each vertex in slots of fixed number: no branch depends on
-/// the valence, which the processor could not predict. An unused slot names the vertex itself.
+/// K = E - S with the first neighbours of each vertex in slots of fixed number: no branch depends
+/// on the valence, which the processor could not predict. An unused slot names the vertex itself.
 template <typename Scalar>
 class PackedStiffness
 {

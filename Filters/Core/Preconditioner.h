@@ -34,9 +34,9 @@ public:
 private:
   using Values = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
 
-  Values InverseDiagonal;      ///< 0 at fixed vertices
+  Values InverseDiagonal;       ///< 0 at fixed vertices
   PackedPoints<Scalar> Normals; ///< of the tangent planes; no columns if there are none
-  Values NormalFactor;         ///< of the second term in the inverse of a I + w^2 n n^T
+  Values NormalFactor;          ///< of the second term in the inverse of a I + w^2 n n^T
 };
 
 extern template class JacobiPreconditioner<float>;

@@ -52,8 +52,8 @@ Mask FixedVertices(
   for (Index i = 0; i < topology.vertices; ++i)
   {
     isFixed[i] = !topology.isUsed[i] ||
-      (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
-      (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
+                 (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
+                 (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
   }
   return isFixed;
 }
@@ -61,8 +61,8 @@ Mask FixedVertices(
 /// L of section 4, its rows as the boundary condition wants them.
 Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
 {
-  const LaplacianType type = options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM
-                                                                      : options.laplacianType;
+  const LaplacianType type =
+    options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
   Laplacian L = mesh.GetLaplacian(type);
   if (type == LaplacianType::MEAN_CURVATURE)
   {
@@ -80,8 +80,8 @@ Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
 }
 
 /// c = f - L V, with f of section 4.
-Points ChooseTarget(
-  MeshAnalysis& mesh, const Laplacian& L, const OptimizerOptions& options, const VertexArrays& arrays)
+Points ChooseTarget(MeshAnalysis& mesh, const Laplacian& L, const OptimizerOptions& options,
+  const VertexArrays& arrays)
 {
   Points target = Apply(L, mesh.GetPoints());
   switch (options.mode)
@@ -91,7 +91,7 @@ Points ChooseTarget(
     case Mode::PRESCRIBED_LAPLACIANS:
       return Require(arrays.prescribedLaplacians,
                "The mode needs a point array of prescribed Laplacians with 3 components") -
-        target;
+             target;
     default:
       return -target;
   }
@@ -107,9 +107,9 @@ MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOpti
     const bool isFixed =
       motion.freedom[i] || (boundary && boundary->pointClass[i] == FeatureLines::CORNER);
     const bool slides = boundary && boundary->pointClass[i] == FeatureLines::EDGE;
-    motion.freedom[i] = isFixed ? MotionConstraints::FIXED
-      : slides                  ? MotionConstraints::ALONG_LINE
-                                : MotionConstraints::FREE;
+    motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
+                        : slides ? MotionConstraints::ALONG_LINE
+                                 : MotionConstraints::FREE;
   }
   if (boundary)
   {
@@ -129,8 +129,7 @@ std::vector<LineRow> SlidingRows(
     {
       const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
       const Vector3 tangent = boundary.tangents.row(i);
-      rows.push_back(
-        { i, previous, next, laplacianWeights[i], -laplacian.dot(tangent) * tangent });
+      rows.push_back({ i, previous, next, laplacianWeights[i], -laplacian.dot(tangent) * tangent });
     });
   return rows;
 }
@@ -198,10 +197,9 @@ LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& opt
   }
   if (options.tangentPlaneConstraints)
   {
-    problem.tangentPlaneNormals =
-      TangentPlaneNormals(mesh.GetMeanCurvatureNormals(), mesh.GetMeanCurvatures(),
-        VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()),
-        mesh.GetTopology());
+    problem.tangentPlaneNormals = TangentPlaneNormals(mesh.GetMeanCurvatureNormals(),
+      mesh.GetMeanCurvatures(),
+      VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
     problem.tangentPlaneWeight = options.tangentPlaneWeight;
   }
   return problem;

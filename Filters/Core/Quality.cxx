@@ -28,7 +28,7 @@ double RadiusRatio(const Vector3& a, const Vector3& b, const Vector3& c)
   const double unit = 1 / std::max({ lab, lbc, lca });
   const double twiceAreaSquared = (ab * unit).cross(ca * unit).squaredNorm();
   const double t = 4 * twiceAreaSquared /
-    ((lab * unit) * (lbc * unit) * (lca * unit) * ((lab + lbc + lca) * unit));
+                   ((lab * unit) * (lbc * unit) * (lca * unit) * ((lab + lbc + lca) * unit));
   return std::min(t, 1.0);
 }
 
@@ -56,8 +56,8 @@ Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangle
       value = std::min(value, triangleValues[t]);
     }
   }
-  ParallelFor(vertices,
-    [&](Index i) { minimum[i] = minimum[i] == none ? UndefinedQuality : minimum[i]; });
+  ParallelFor(
+    vertices, [&](Index i) { minimum[i] = minimum[i] == none ? UndefinedQuality : minimum[i]; });
   return minimum;
 }
 
@@ -65,14 +65,12 @@ MeshQuality MeasureQuality(const Points& V, const Triangles& triangles)
 {
   MeshQuality quality;
   quality.triangles = RadiusRatios(V, triangles);
-  quality.vertices =
-    MinimumAtVertices(quality.triangles, triangles, static_cast<Index>(V.rows()));
+  quality.vertices = MinimumAtVertices(quality.triangles, triangles, static_cast<Index>(V.rows()));
   const auto count = static_cast<Index>(triangles.rows());
   if (count > 0)
   {
-    quality.mean = ParallelSum(count, 0.0,
-                     [&](double& sum, Index t) { sum += quality.triangles[t]; }) /
-      count;
+    quality.mean =
+      ParallelSum(count, 0.0, [&](double& sum, Index t) { sum += quality.triangles[t]; }) / count;
     quality.minimum = quality.triangles.minCoeff();
   }
   return quality;

@@ -24,8 +24,8 @@ Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangle
 /// Eqn. 12 over a mesh.
 struct MeshQuality
 {
-  Vector triangles; ///< of each triangle
-  Vector vertices;  ///< minimum at each vertex
+  Vector triangles;                  ///< of each triangle
+  Vector vertices;                   ///< minimum at each vertex
   double mean = UndefinedQuality;    ///< t_mean of Fig. 5; UndefinedQuality without triangles
   double minimum = UndefinedQuality; ///< t_min of Fig. 5
 };

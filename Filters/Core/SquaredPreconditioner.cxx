@@ -23,50 +23,31 @@ Vector PositiveRowWeights(const LeastSquaresProblem& problem)
 }
 
 /// K + R without the fixed vertices, which have a row of the identity.
-Multigrid::Matrix ShiftedStiffness(const LeastSquaresProblem& problem, const Vector& Q)
+SparseRows ShiftedStiffness(const LeastSquaresProblem& problem, const Vector& Q)
 {
   const Laplacian& L = problem.L;
   const AdjacencyLists& rings = *L.rings;
   const auto isFixed = [&](Index i)
   { return problem.motion.freedom[i] == MotionConstraints::FIXED; };
-  Multigrid::Matrix matrix(problem.Size(), problem.Size());
-  Eigen::VectorXi sizes(problem.Size());
-  ParallelFor(problem.Size(), [&](Index i) { sizes[i] = rings.Size(i) + 1; });
-  matrix.reserve(sizes);
-  for (Index i = 0; i < problem.Size(); ++i)
-  {
-    if (isFixed(i))
+  return MakeSparseRows(problem.Size(), problem.Size(),
+    [&](Index i, const auto& add)
     {
-      matrix.insert(i, i) = 1;
-      continue;
-    }
-    double sum = 0;
-    bool isDiagonalDone = false;
-    float* diagonal = nullptr;
-    for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-    {
-      const Index j = rings.ids[k];
-      const double weight = L.edgeWeights ? std::max((*L.edgeWeights)[k], getenv("CLIP")?0.0:-1e30) : 1.0;
-      sum += weight;
-      if (!isDiagonalDone && j > i)
+      const double sum = WeightSum(L, i);
+      if (isFixed(i) || !(sum > 0))
       {
-        diagonal = &matrix.insert(i, i);
-        isDiagonalDone = true;
+        add(i, 1);
+        return;
       }
-      if (!isFixed(j))
+      const double r = problem.positionWeights[i] / std::sqrt(Q[i]);
+      add(i, static_cast<float>(std::max(r, SmallestRelativeR * sum) + sum));
+      for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
       {
-        matrix.insert(i, j) = static_cast<float>(-weight);
+        if (!isFixed(rings.ids[k]))
+        {
+          add(rings.ids[k], static_cast<float>(L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0));
+        }
       }
-    }
-    if (!isDiagonalDone)
-    {
-      diagonal = &matrix.insert(i, i);
-    }
-    const double r = problem.positionWeights[i] / std::sqrt(Q[i]);
-    *diagonal = static_cast<float>(sum > 0 ? std::max(r, SmallestRelativeR * sum) + sum : 1);
-  }
-  matrix.makeCompressed();
-  return matrix;
+    });
 }
 }
 
@@ -82,15 +63,14 @@ SquaredPreconditioner::SquaredPreconditioner(const LeastSquaresProblem& problem)
 void SquaredPreconditioner::Prepare(const PackedPoints<float>& residual)
 {
   this->Inverse.Cycle(residual, this->Result);
-  ParallelFor(this->Problem.Size(),
-    [&](Index i) { this->Result.col(i) *= this->InverseQ[i]; });
+  ParallelFor(this->Problem.Size(), [&](Index i) { this->Result.col(i) *= this->InverseQ[i]; });
   this->Inverse.Cycle(this->Result, this->Intermediate);
   ParallelFor(this->Problem.Size(),
     [&](Index i)
     {
       this->Result.col(i) = this->Problem.motion.freedom[i] == MotionConstraints::FIXED
-        ? PackedRow<float>(PackedRow<float>::Zero())
-        : PackedRow<float>(this->Intermediate.col(i));
+                              ? PackedRow<float>(PackedRow<float>::Zero())
+                              : PackedRow<float>(this->Intermediate.col(i));
     });
 }
 }

@@ -8,8 +8,9 @@
 namespace lmo
 {
 /// M = (K + R) Q (K + R) with R = W_p / sqrt(Q): the square of a second-order operator, close to
-/// A = K Q K + W_p^2 however different in size its two terms are. (K + R)^-1 is one multigrid cycle;
-/// negative edge weights count as 0 in K. The couplings of x, y and z are left to the iteration.
+/// A = K Q K + W_p^2 however different in size its two terms are. (K + R)^-1 is one multigrid
+/// cycle; negative edge weights count as 0 in K. The couplings of x, y and z are left to the
+/// iteration.
 class SquaredPreconditioner
 {
 public:

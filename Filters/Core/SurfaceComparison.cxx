@@ -20,9 +20,9 @@ double LargestDisplacement(const Points& before, const Points& after)
     void operator+=(const Maximum& other) { this->square = std::max(this->square, other.square); }
   };
   return std::sqrt(ParallelSum(static_cast<Index>(before.rows()), Maximum(),
-    [&](Maximum& maximum, Index i)
-    { maximum += { (after.row(i) - before.row(i)).squaredNorm() }; })
-                     .square);
+    [&](Maximum& maximum, Index i) {
+      maximum += { (after.row(i) - before.row(i)).squaredNorm() };
+    }).square);
 }
 
 double RelativeVolumeChange(const Points& before, const Points& after, const Triangles& triangles)
@@ -35,9 +35,7 @@ Index CountFlippedTriangles(const Points& before, const Points& after, const Tri
 {
   return ParallelSum(static_cast<Index>(triangles.rows()), Index(0),
     [&](Index& flipped, Index t)
-    {
-      flipped += ScaledNormal(before, triangles, t).dot(ScaledNormal(after, triangles, t)) < 0;
-    });
+    { flipped += ScaledNormal(before, triangles, t).dot(ScaledNormal(after, triangles, t)) < 0; });
 }
 }
 
@@ -50,8 +48,7 @@ SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
   comparison.maximumDisplacement = LargestDisplacement(before, after);
   comparison.relativeMaximumDisplacement =
     diagonal > 0 ? comparison.maximumDisplacement / diagonal : 0;
-  comparison.relativeVolumeChange =
-    isClosed ? RelativeVolumeChange(before, after, triangles) : 0;
+  comparison.relativeVolumeChange = isClosed ? RelativeVolumeChange(before, after, triangles) : 0;
   comparison.flippedTriangles = CountFlippedTriangles(before, after, triangles);
   return comparison;
 }

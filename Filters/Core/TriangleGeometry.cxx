@@ -91,8 +91,7 @@ Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const Mesh
   ParallelFor(static_cast<Index>(triangles.rows()),
     [&](Index t) { shares.row(t) = MixedVoronoiShares(V, triangles, cotangents, t); });
   Vector areas(V.rows());
-  ParallelFor(topology.vertices,
-    [&](Index i)
+  ParallelFor(topology.vertices, [&](Index i)
     { areas[i] = SumOverCorners(topology, i, [&](Index c) { return shares.data()[c]; }); });
   return areas;
 }

@@ -71,8 +71,8 @@ MeshOrder BreadthFirstOrder(const AdjacencyLists& oneRings, const Triangles& tri
   const std::vector<Index> newNumber = Inverse(order.vertices);
   const auto firstVertex = [&](Index t)
   {
-    return std::min({ newNumber[triangles(t, 0)], newNumber[triangles(t, 1)],
-      newNumber[triangles(t, 2)] });
+    return std::min(
+      { newNumber[triangles(t, 0)], newNumber[triangles(t, 1)], newNumber[triangles(t, 2)] });
   };
   std::vector<Index> next(vertices + 1, 0);
   for (Index t = 0; t < triangles.rows(); ++t)

@@ -17,8 +17,8 @@ struct MeshOrder
   bool IsEmpty() const { return this->vertices.empty(); }
 };
 
-/// True if neighbours lie so far apart that the processor's caches do not hold what is between them:
-/// that makes every pass over the mesh several times slower.
+/// True if neighbours lie so far apart that the processor's caches do not hold what is between
+/// them: that makes every pass over the mesh several times slower.
 bool IsScattered(const AdjacencyLists& oneRings);
 
 /// Numbers the vertices breadth-first (Cuthill and McKee 1969) and the triangles by their first

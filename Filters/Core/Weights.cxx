@@ -20,8 +20,7 @@ double Quantile(std::vector<double> values, double q)
   const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
   std::nth_element(values.begin(), below, values.end());
   const auto above = std::min_element(below + 1, values.end());
-  return above == values.end() ? *below
-                               : *below + (place - std::floor(place)) * (*above - *below);
+  return above == values.end() ? *below : *below + (place - std::floor(place)) * (*above - *below);
 }
 
 CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed)

@@ -68,8 +68,8 @@ void RunOnThreads(const Body& body)
   vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, body);
 }
 
-/// RequestData() of all filters: calls body() on threads, unless \a input is null as that of a block
-/// of a composite data set is that is no surface; turns exceptions into vtkErrorMacro, and
+/// RequestData() of all filters: calls body() on threads, unless \a input is null as that of a
+/// block of a composite data set is that is no surface; turns exceptions into vtkErrorMacro, and
 /// leaves the output empty after an error or a cancellation.
 /// \return what RequestData() returns
 template <typename Filter, typename Body>

@@ -91,11 +91,30 @@ Faults FindNotFinite(const Rows& rows)
   return faults;
 }
 
+/// Points so far out that areas and volumes overflow.
+Faults FindHuge(const Points& points)
+{
+  constexpr double largest = 1e70;
+  Faults faults;
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    if (points.row(i).cwiseAbs().maxCoeff() > largest)
+    {
+      faults.Add(i);
+    }
+  }
+  return faults;
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  return "The point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+}
+
 template <typename Rows>
 Rows ReadArray(vtkDataArray* array, vtkIdType points)
 {
-  const std::string name =
-    "The point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+  const std::string name = NameOf(array);
   if (array->GetNumberOfTuples() != points ||
       array->GetNumberOfComponents() != Rows::ColsAtCompileTime)
   {
@@ -115,14 +134,15 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
 struct CopyTriangles
 {
   template <typename Array>
-  void operator()(Array* connectivity, vtkIdType points, Triangles& triangles, Faults& outOfRange) const
+  void operator()(
+    Array* connectivity, vtkIdType points, Triangles& triangles, Faults& outOfRange) const
   {
     const auto ids = vtk::DataArrayValueRange<1>(connectivity);
     const auto count = static_cast<Index>(triangles.rows());
     const auto isOutOfRange = [&](Index t)
     {
-      const auto [least, most] = std::minmax({ ids[3 * vtkIdType(t)], ids[3 * vtkIdType(t) + 1],
-        ids[3 * vtkIdType(t) + 2] });
+      const auto [least, most] = std::minmax(
+        { ids[3 * vtkIdType(t)], ids[3 * vtkIdType(t) + 1], ids[3 * vtkIdType(t) + 2] });
       return least < 0 || most >= points;
     };
     const Index faults = ParallelSum(count, Index(0),
@@ -227,7 +247,8 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
 {
   if (input->GetNumberOfPoints() > std::numeric_limits<Index>::max())
   {
-    throw InputError("The input has " + std::to_string(input->GetNumberOfPoints()) +
+    throw InputError(
+      "The input has " + std::to_string(input->GetNumberOfPoints()) +
       " points, more than this filter can count. Split it, or use the parallel filter.");
   }
   SurfaceMesh mesh;
@@ -237,6 +258,8 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
   }
   FindNotFinite(mesh.points)
     .ThrowIfAny("points have NaN or infinite coordinates", "point", "Remove or repair them.");
+  FindHuge(mesh.points)
+    .ThrowIfAny("points have coordinates above 1e70", "point", "Remove or scale them.");
 
   const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
   mesh.triangleCells.firstPolygon = firstPolygon;
@@ -245,11 +268,10 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
     input->GetPolys(), firstPolygon, input->GetNumberOfPoints(), mesh.triangles, outOfRange);
   if (input->GetNumberOfStrips() > 0)
   {
-    ReadStrips(
-      input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), mesh, outOfRange);
+    ReadStrips(input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), mesh, outOfRange);
   }
-  outOfRange.ThrowIfAny(
-    "cells name a point that does not exist", "cell", "Repair the cells of the input.");
+  outOfRange.ThrowIfAny("triangles or strips name a point that does not exist", "cell",
+    "Repair the cells of the input.");
   return mesh;
 }
 
@@ -368,6 +390,14 @@ struct ReplaceTuples
 
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
 {
+  if (input->GetNumberOfTuples() != normals.rows() || input->GetNumberOfComponents() != 3)
+  {
+    std::ostringstream text;
+    text << NameOf(input) << " of normals has " << input->GetNumberOfTuples() << " tuples of "
+         << input->GetNumberOfComponents() << " components; " << normals.rows()
+         << " tuples of 3 are needed. Repair or remove them.";
+    throw InputError(text.str());
+  }
   auto result = vtk::TakeSmartPointer(input->NewInstance());
   result->DeepCopy(input);
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(

@@ -65,6 +65,7 @@ void AddRadiusRatios(const char* name, const MeshQuality& quality,
   const TriangleCells& triangleCells, vtkPolyData* output);
 
 /// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
+/// \throw InputError if the array has not three values per point.
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
 }
 

@@ -1,0 +1,286 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "TestMeasures.h"
+#include "TestOperators.h"
+
+#include "Core/Quality.h"
+#include "Core/Weights.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+const Mode AllModes[] = { Mode::OPTIMIZE_TRIANGLES, Mode::SMOOTH };
+
+OptimizerOptions WithBoundary(Mode mode, BoundaryCondition condition)
+{
+  OptimizerOptions options = Options(mode);
+  options.boundaryCondition = condition;
+  return options;
+}
+
+/// Largest motion of the vertices that are tagged.
+double Motion(const TestMesh& mesh, const Points& moved, const std::vector<bool>& isTagged)
+{
+  double motion = 0;
+  for (Eigen::Index i = 0; i < moved.rows(); ++i)
+  {
+    motion = Larger(motion, isTagged[i] ? (moved.row(i) - mesh.V.row(i)).norm() : 0);
+  }
+  return motion;
+}
+
+double MeanQuality(const Points& V, const Triangles& triangles)
+{
+  return MeasureQuality(V, triangles).mean;
+}
+
+void CheckHeldVertices(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  std::vector<bool> isTagged(mesh.V.rows(), false);
+  isTagged[3] = isTagged[77] = true;
+  VertexArrays arrays;
+  arrays.fixedPoints = Vector::Unit(mesh.V.rows(), 3) - Vector::Unit(mesh.V.rows(), 77);
+  VertexArrays heavy;
+  heavy.positionWeights = Vector::Constant(mesh.V.rows(), 1e7);
+  const TestMesh isolated = WithIsolatedPoint(mesh);
+  for (const Mode mode : AllModes)
+  {
+    OptimizerOptions options = Options(mode);
+    c.Error(
+      "fixed points do not move", Motion(mesh, Run(mesh, options, arrays).positions, isTagged), 0);
+    c.Error("isolated points do not move",
+      (Run(isolated, options).positions.row(0) - isolated.V.row(0)).norm(), 0);
+    c.Error("isolated points do not count",
+      MaximumDistance(
+        Run(isolated, options).positions.bottomRows(mesh.V.rows()), Run(mesh, options).positions),
+      1e-12);
+    options.positionWeighting = PositionWeighting::ARRAY;
+    c.Error("with great weights nothing moves",
+      MaximumDistance(Run(mesh, options, heavy).positions, mesh.V), 1e-13);
+  }
+}
+
+/// Sum of the squared lengths of the boundary edges: least if they are equal.
+double BoundaryEnergy(const TestMesh& mesh, const Points& V)
+{
+  double energy = 0;
+  for (const auto& [i, j] : BoundaryEdges(mesh))
+  {
+    energy += (V.row(i) - V.row(j)).squaredNorm();
+  }
+  return energy;
+}
+
+double OffBoundary(const TestMesh& mesh, const Points& moved)
+{
+  const std::vector<bool> isBoundary = BoundaryVertices(mesh);
+  double distance = 0;
+  for (Eigen::Index i = 0; i < moved.rows(); ++i)
+  {
+    distance = Larger(distance, isBoundary[i] ? DistanceToBoundary(moved.row(i), mesh) : 0);
+  }
+  return distance;
+}
+
+void CheckBoundaries(Checks& c)
+{
+  const TestMesh grid = Grid(8, 0.3);
+  const TestMesh half = Irregular(HalfSphere(3), 0.02);
+  const std::vector<bool> isBoundary = BoundaryVertices(grid);
+  std::vector<bool> isCorner(grid.V.rows(), false);
+  isCorner[0] = isCorner[8] = isCorner[72] = isCorner[80] = true;
+  for (const Mode mode : AllModes)
+  {
+    OptimizerOptions options = WithBoundary(mode, BoundaryCondition::FIXED);
+    c.Error(
+      "a fixed boundary does not move", Motion(grid, Run(grid, options).positions, isBoundary), 0);
+
+    options = WithBoundary(mode, BoundaryCondition::SLIDING);
+    options.scaleFactor = 0.1;
+    const Points slid = Run(grid, options).positions;
+    c.Error("sliding vertices stay on a straight boundary", OffBoundary(grid, slid), 1e-15);
+    c.Error("sliding vertices stay on a curved boundary",
+      OffBoundary(half, Run(half, options).positions), 1e-15);
+    c.Error("corners of a sliding boundary do not move", Motion(grid, slid, isCorner), 0);
+    c.Error("sliding vertices spread evenly, to edges of length 1",
+      BoundaryEnergy(grid, slid) / 32 - 1, 0.1 * (BoundaryEnergy(grid, grid.V) / 32 - 1));
+
+    options = WithBoundary(mode, BoundaryCondition::FREE);
+    c.True("a free boundary moves", Motion(grid, Run(grid, options).positions, isCorner) > 0.01);
+  }
+}
+
+/// Motion of a mesh whose own Laplacians are prescribed.
+double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
+{
+  const TestOperators operators(mesh);
+  Laplacian L = operators.uniform;
+  if (type == LaplacianType::COTANGENT)
+  {
+    L = operators.cotangent;
+  }
+  if (type == LaplacianType::MEAN_CURVATURE)
+  {
+    L = operators.meanCurvature;
+    L.rowScale *= SquaredLengthScale(L);
+  }
+  VertexArrays arrays;
+  arrays.prescribedLaplacians = Apply(L, mesh.V);
+  return MaximumDistance(
+    Run(mesh, Options(Mode::PRESCRIBED_LAPLACIANS, type), arrays).positions, mesh.V);
+}
+
+void CheckFixedPointsOfTheEquations(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  c.Error(
+    "the mesh's own L_u V keeps it", MotionWithOwnLaplacians(mesh, LaplacianType::UNIFORM), 1e-14);
+  c.Error("the mesh's own L_c V keeps it", MotionWithOwnLaplacians(mesh, LaplacianType::COTANGENT),
+    1e-14);
+  c.Error("the mesh's own L_ck V keeps it",
+    MotionWithOwnLaplacians(mesh, LaplacianType::MEAN_CURVATURE), 1e-14);
+
+  const TestMesh grid = Grid(8, 0.3);
+  for (const LaplacianType type : { LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
+  {
+    c.Error("smoothing with L_c or L_ck keeps a plane",
+      MaximumDistance(Run(grid, Options(Mode::SMOOTH, type)).positions, grid.V), 1e-12);
+  }
+  OptimizerOptions strong = Options(Mode::SMOOTH);
+  strong.scaleFactor = 0.1;
+  const Points smooth = Run(grid, strong).positions;
+  c.Error("smoothing with L_u stays within a plane", LargestMagnitude(smooth.col(2)), 0);
+  c.True("smoothing with L_u improves the triangles of a plane",
+    MeanQuality(smooth, grid.T) > MeanQuality(grid.V, grid.T) + 0.05);
+}
+
+/// Root mean square distance from the unit sphere.
+double Noise(const Points& V)
+{
+  return std::sqrt((V.rowwise().norm().array() - 1).square().mean());
+}
+
+void CheckEffects(Checks& c)
+{
+  const TestMesh noisy = Irregular(Icosphere(3), 0.03);
+  c.True("optimisation improves the triangles of a sphere",
+    MeanQuality(Run(noisy, Options(Mode::OPTIMIZE_TRIANGLES)).positions, noisy.T) >
+      MeanQuality(noisy.V, noisy.T) + 0.03);
+  for (const LaplacianType type :
+    { LaplacianType::UNIFORM, LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
+  {
+    c.True("smoothing removes noise from a sphere",
+      Noise(Run(noisy, Options(Mode::SMOOTH, type)).positions) < 0.7 * Noise(noisy.V));
+  }
+
+  OptimizerOptions planes = Options(Mode::SMOOTH);
+  planes.tangentPlaneConstraints = true;
+  planes.tangentPlaneWeight = 1e6;
+  const Points d = Run(noisy, planes).positions - noisy.V;
+  const Points n = Apply(TestOperators(noisy).meanCurvature, noisy.V).rowwise().normalized();
+  c.True("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)) > 0.01);
+  c.Error("strong tangent planes stop motion along the normal",
+    LargestMagnitude((d.array() * n.array()).rowwise().sum()), 1e-10);
+}
+
+void CheckPositionWeights(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.scaleFactor = 3;
+  const auto check = [&](const std::string& name, PositionWeighting scheme, const auto& weights)
+  {
+    options.positionWeighting = scheme;
+    const OptimizerResult result = Run(mesh, options);
+    const CurvatureStatistics statistics = ComputeStatistics(result.meanCurvatures, Mask(162, 1));
+    c.Error("W_p is s times the weights: " + name,
+      LargestMagnitude(result.positionWeights - 3 * weights(result.meanCurvatures, statistics)),
+      1e-15);
+  };
+  check("constant", PositionWeighting::CONSTANT,
+    [](const Vector& kappa, const CurvatureStatistics&) { return Vector::Ones(kappa.size()); });
+  check("linear", PositionWeighting::LINEAR, LinearWeights);
+  check("cdf", PositionWeighting::CDF,
+    [](const Vector& kappa, const CurvatureStatistics&)
+    { return CumulativeWeights(kappa, Mask(162, 1)); });
+
+  const Vector plain = Run(mesh, options).positionWeights;
+  options.modulateByTriangleQuality = true;
+  const Vector Wt = MinimumAtVertices(RadiusRatios(mesh.V, mesh.T), mesh.T, 162);
+  c.Error("W_t multiplies W_p",
+    LargestMagnitude(Run(mesh, options).positionWeights - plain.cwiseProduct(Wt)), 1e-15);
+
+  VertexArrays arrays;
+  arrays.positionWeights = Vector::Unit(46, 0);
+  options = Options(Mode::SMOOTH);
+  options.positionWeighting = PositionWeighting::ANCHORS;
+  options.scaleFactor = 5;
+  Vector expected = 5 * Vector::Unit(46, 0);
+  expected.tail(4).setConstant(5);
+  c.Error("a component without anchors is held by s",
+    LargestMagnitude(Run(TwoComponents(), options, arrays).positionWeights - expected), 0);
+}
+
+void CheckLaplacianWeights(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.gaussianWidth = 0.3;
+  const auto check = [&](const std::string& name, LaplacianWeighting scheme, const auto& weights)
+  {
+    options.laplacianWeighting = scheme;
+    const OptimizerResult result = Run(mesh, options);
+    const CurvatureStatistics statistics = ComputeStatistics(result.meanCurvatures, Mask(162, 1));
+    c.Error("W_L is right: " + name,
+      LargestMagnitude(result.laplacianWeights - weights(result.meanCurvatures, statistics)),
+      1e-15);
+  };
+  check("constant", LaplacianWeighting::CONSTANT,
+    [](const Vector& kappa, const CurvatureStatistics&) -> Vector
+    { return Vector::Ones(kappa.size()); });
+  check("linear complement", LaplacianWeighting::LINEAR_COMPLEMENT,
+    [](const Vector& kappa, const CurvatureStatistics& statistics) -> Vector
+    { return 1 - LinearWeights(kappa, statistics).array(); });
+  check("cdf complement", LaplacianWeighting::CDF_COMPLEMENT,
+    [](const Vector& kappa, const CurvatureStatistics&) -> Vector
+    { return 1 - CumulativeWeights(kappa, Mask(162, 1)).array(); });
+  check("Gaussian", LaplacianWeighting::GAUSSIAN,
+    [](const Vector& kappa, const CurvatureStatistics& statistics)
+    { return GaussianWeights(kappa, 0.3 * statistics.threshold); });
+}
+
+void CheckMissingArrays(Checks& c)
+{
+  const auto isRefused = [&](const std::string& what, const OptimizerOptions& options)
+  {
+    c.Throws<InputError>(what + " without their array are an error", [&] { Run(Cube(), options); });
+  };
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.positionWeighting = PositionWeighting::ANCHORS;
+  isRefused("anchors", options);
+  options.positionWeighting = PositionWeighting::ARRAY;
+  isRefused("the user's position weights", options);
+  options = Options(Mode::SMOOTH);
+  options.laplacianWeighting = LaplacianWeighting::ARRAY;
+  isRefused("the user's Laplacian weights", options);
+  isRefused("prescribed Laplacians", Options(Mode::PRESCRIBED_LAPLACIANS));
+}
+}
+
+int TestOptimizer(int, char*[])
+{
+  Checks c;
+  CheckHeldVertices(c);
+  CheckBoundaries(c);
+  CheckFixedPointsOfTheEquations(c);
+  CheckEffects(c);
+  CheckPositionWeights(c);
+  CheckLaplacianWeights(c);
+  CheckMissingArrays(c);
+  return c.Result();
+}

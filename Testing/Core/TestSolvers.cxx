@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "TestMeasures.h"
+#include "TestOperators.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+OptimizerOptions Iterative(OptimizerOptions options, double tolerance, Index iterations = 100000)
+{
+  options.solverType = SolverType::ITERATIVE;
+  options.solver.tolerance = tolerance;
+  options.solver.maximumIterations = iterations;
+  return options;
+}
+
+/// Difference between the direct and the iterative solution.
+double Disagreement(const TestMesh& mesh, const OptimizerOptions& options)
+{
+  return MaximumDistance(
+    Run(mesh, options).positions, Run(mesh, Iterative(options, 1e-13)).positions);
+}
+
+/// Each operator and mode, with and without tangent planes, on a surface with this boundary.
+void CheckAgreement(Checks& c, BoundaryCondition boundary, const std::string& name)
+{
+  const TestMesh mesh = Irregular(HalfSphere(3), 0.02);
+  for (const bool tangentPlanes : { false, true })
+  {
+    const auto check = [&](const std::string& problem, OptimizerOptions options)
+    {
+      options.boundaryCondition = boundary;
+      options.tangentPlaneConstraints = tangentPlanes;
+      c.Error("direct and iterative solutions agree: " + problem + ", " + name +
+                (tangentPlanes ? ", tangent planes" : ""),
+        Disagreement(mesh, options), 1e-12);
+    };
+    check("triangles", Options(Mode::OPTIMIZE_TRIANGLES));
+    check("smoothing with L_u", Options(Mode::SMOOTH, LaplacianType::UNIFORM));
+    check("smoothing with L_c", Options(Mode::SMOOTH, LaplacianType::COTANGENT));
+    check("smoothing with L_ck", Options(Mode::SMOOTH, LaplacianType::MEAN_CURVATURE));
+  }
+}
+
+/// |b - A d| / |b| of smoothing a closed mesh with L_u, from dense matrices.
+double TrueResidual(const TestMesh& mesh, const OptimizerResult& result)
+{
+  const Eigen::MatrixXd L = DenseMatrix(TestOperators(mesh).uniform);
+  const Eigen::MatrixXd LtL = L.transpose() * L;
+  const Points d = result.positions - mesh.V;
+  const Points b = -LtL * mesh.V;
+  const Points Wp2d = result.positionWeights.array().square().matrix().asDiagonal() * d;
+  return (b - LtL * d - Wp2d).norm() / b.norm();
+}
+
+void CheckResiduals(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  OptimizerOptions smooth = Options(Mode::SMOOTH);
+  for (const Index iterations : { 1, 3, 10 })
+  {
+    const OptimizerResult result = Run(mesh, Iterative(smooth, 1e-12, iterations));
+    c.Error("the reported residual is the true one after iteration " + std::to_string(iterations),
+      std::abs(result.relativeResidual / TrueResidual(mesh, result) - 1), 1e-9);
+    c.True("the limit of iterations is kept", result.iterations == iterations);
+  }
+  for (const double tolerance : { 1e-2, 1e-6, 1e-12 })
+  {
+    const OptimizerResult result = Run(mesh, Iterative(smooth, tolerance));
+    c.Error("the iterative solver reaches the tolerance", TrueResidual(mesh, result), tolerance);
+    c.Error("the reported residual is within the tolerance", result.relativeResidual, tolerance);
+  }
+  const OptimizerResult direct = Run(mesh, smooth);
+  c.Error("the direct solution has no residual", TrueResidual(mesh, direct), 1e-13);
+  c.True("the direct solver does not iterate", direct.iterations == 0);
+
+  OptimizerOptions automatic = Iterative(smooth, 1e-9, 1);
+  automatic.solverType = SolverType::AUTOMATIC;
+  c.Error("the automatic choice falls back to the direct solver",
+    TrueResidual(mesh, Run(mesh, automatic)), 1e-9);
+}
+
+/// Remembers what is reported and stops after some reports.
+class Recorder : public Monitor
+{
+public:
+  explicit Recorder(std::size_t limit = SIZE_MAX)
+    : Limit(limit)
+  {
+  }
+
+  std::vector<double> Fractions;
+
+protected:
+  void ShowProgress(double fraction) override { this->Fractions.push_back(fraction); }
+  bool IsCancelled() override { return this->Fractions.size() >= this->Limit; }
+
+private:
+  std::size_t Limit;
+};
+
+void CheckMonitor(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(3), 0.02);
+  OptimizerOptions options = Iterative(Options(Mode::SMOOTH), 1e-10);
+  options.scaleFactor = 0.01;
+  Recorder patient;
+  const OptimizerResult result = Optimize(mesh.V, mesh.T, options, {}, patient);
+  const std::vector<double>& fractions = patient.Fractions;
+  c.True("every iteration is reported",
+    fractions.size() >= static_cast<std::size_t>(result.iterations) && result.iterations > 20);
+  c.True("progress is between 0 and 1",
+    std::all_of(fractions.begin(), fractions.end(), [](double x) { return x >= 0 && x <= 1; }));
+  c.True("progress never falls", std::is_sorted(fractions.begin(), fractions.end()));
+
+  for (const std::size_t limit : { 1, 2, 7 })
+  {
+    Recorder impatient(limit);
+    c.Throws<Cancelled>(
+      "the monitor stops the iteration", [&] { Optimize(mesh.V, mesh.T, options, {}, impatient); });
+    c.True("the iteration stops at once", impatient.Fractions.size() == limit);
+  }
+  options.solverType = SolverType::DIRECT;
+  // The second question comes before the factorisation.
+  Recorder impatient(2);
+  c.Throws<Cancelled>("the monitor stops the direct solver",
+    [&] { Optimize(mesh.V, mesh.T, options, {}, impatient); });
+}
+
+/// One Laplacian row and one position for all vertices.
+void CheckSingularSystem(Checks& c)
+{
+  const TestMesh mesh = DoublePyramid(0);
+  VertexArrays arrays;
+  arrays.laplacianWeights = Vector::Unit(6, 4);
+  arrays.positionWeights = Vector::Unit(6, 5);
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.laplacianWeighting = LaplacianWeighting::ARRAY;
+  options.positionWeighting = PositionWeighting::ARRAY;
+  c.Throws<SolverError>(
+    "a singular system is an error of the direct solver", [&] { Run(mesh, options, arrays); });
+  c.True("the iterative solver finds a solution of a singular system",
+    Run(mesh, Iterative(options, 1e-10), arrays).positions.allFinite());
+}
+
+Points SolveOnThreads(const TestMesh& mesh, const char* backend, int threads)
+{
+  Points positions;
+  vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, backend, false),
+    [&] { positions = Run(mesh, Iterative(Options(Mode::SMOOTH), 1e-6)).positions; });
+  return positions;
+}
+
+void CheckThreads(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(5), 0.005);
+  const Points sequential = SolveOnThreads(mesh, "Sequential", 1);
+  for (const int threads : { 2, 3 })
+  {
+    c.Error("the solution does not depend on the number of threads",
+      MaximumDistance(SolveOnThreads(mesh, "STDThread", threads), sequential), 0);
+  }
+}
+}
+
+int TestSolvers(int, char*[])
+{
+  Checks c;
+  CheckAgreement(c, BoundaryCondition::FIXED, "fixed boundary");
+  CheckAgreement(c, BoundaryCondition::SLIDING, "sliding boundary");
+  CheckAgreement(c, BoundaryCondition::FREE, "free boundary");
+  CheckResiduals(c);
+  CheckMonitor(c);
+  CheckSingularSystem(c);
+  CheckThreads(c);
+  return c.Result();
+}

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "TestMeasures.h"
+
+#include "Core/Weights.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+Vector Values(std::initializer_list<double> values)
+{
+  return Eigen::Map<const Vector>(values.begin(), static_cast<Eigen::Index>(values.size()));
+}
+
+CurvatureStatistics Statistics(const Vector& curvatures)
+{
+  return ComputeStatistics(curvatures, Mask(curvatures.size(), 1));
+}
+
+double Difference(const Vector& a, const Vector& b)
+{
+  return LargestMagnitude(a - b);
+}
+
+void CheckStatistics(Checks& c)
+{
+  const std::vector<double> values = { 8, 1, 4, 2 };
+  c.Error("the first quartile of 1, 2, 4, 8 is 1.75", std::abs(Quantile(values, 0.25) - 1.75), 0);
+  c.Error("the median of 1, 2, 4, 8 is 3", std::abs(Quantile(values, 0.5) - 3), 0);
+  c.Error("the third quartile of 1, 2, 4, 8 is 5", std::abs(Quantile(values, 0.75) - 5), 0);
+  c.Error("quantile 0 is the minimum", std::abs(Quantile(values, 0) - 1), 0);
+  c.Error("quantile 1 is the maximum", std::abs(Quantile(values, 1) - 8), 0);
+  c.Error("one value is every quantile", std::abs(Quantile({ 3 }, 0.75) - 3), 0);
+  c.Error("no values have quantile 0", std::abs(Quantile({}, 0.5)), 0);
+
+  const CurvatureStatistics statistics = Statistics(Values({ 8, 1, 4, 2 }));
+  c.Error("minimum and maximum",
+    Difference(Values({ statistics.minimum, statistics.maximum }), Values({ 1, 8 })), 0);
+  c.Error("the threshold is Q3 + 1.5 (Q3 - Q1)", std::abs(statistics.threshold - 9.875), 0);
+
+  const CurvatureStatistics used =
+    ComputeStatistics(Values({ 0, 8, 1, 100, 4, 2 }), { 0, 1, 1, 0, 1, 1 });
+  c.Error("unused vertices do not count",
+    Difference(Values({ used.minimum, used.maximum, used.threshold }), Values({ 1, 8, 9.875 })), 0);
+  c.True("no vertices have statistics of 0", Statistics(Vector()).threshold == 0);
+}
+
+void CheckLinearWeights(Checks& c)
+{
+  // Quartiles 1 and 3, threshold 6.
+  const Vector curvatures = Values({ 0, 1, 2, 3, 12 });
+  c.Error("W_linear maps minimum to 0 and the threshold to 1, and clamps outliers",
+    Difference(LinearWeights(curvatures, Statistics(curvatures)),
+      Values({ 0, 1.0 / 6, 2.0 / 6, 3.0 / 6, 1 })),
+    1e-15);
+  const Vector compact = Values({ 2, 3, 4, 6 });
+  c.Error("W_linear maps the maximum to 1 if it is below the threshold",
+    Difference(LinearWeights(compact, Statistics(compact)), Values({ 0, 0.25, 0.5, 1 })), 1e-15);
+  c.Error("W_linear of a vertex below the minimum is 0",
+    LinearWeights(Values({ 1 }), Statistics(compact))[0], 0);
+  const Vector equal = Values({ 5, 5, 5 });
+  c.Error("W_linear of equal curvatures is 1",
+    Difference(LinearWeights(equal, Statistics(equal)), Vector::Ones(3)), 0);
+  const Vector mostlyFlat = Values({ 0, 0, 0, 0, 0, 7 });
+  c.Error("W_linear is 1 on the features of a shape that is flat but for them, and 0 elsewhere",
+    Difference(LinearWeights(mostlyFlat, Statistics(mostlyFlat)), Values({ 0, 0, 0, 0, 0, 1 })), 0);
+}
+
+void CheckOtherWeights(Checks& c)
+{
+  const Vector curvatures = Values({ 3, 0, 1, 0, 1 });
+  c.Error("W_cdf is the share of vertices with at most this curvature; ties share the upper rank",
+    Difference(CumulativeWeights(curvatures, Mask(5, 1)), Values({ 1, 0.4, 0.8, 0.4, 0.8 })),
+    1e-15);
+  const Mask used = { 1, 0, 1, 0, 1 };
+  c.Error("W_cdf is a share of the used vertices",
+    Difference(CumulativeWeights(curvatures, used), Values({ 1, 0, 2.0 / 3, 0, 2.0 / 3 })), 1e-15);
+  c.Error("the complement is 1 - W",
+    Difference(ComplementWeights(Values({ 0, 0.25, 1 })), Values({ 1, 0.75, 0 })), 0);
+  c.Error("Gaussian weights are exp(-kappa^2 / 2 sigma^2)",
+    Difference(
+      GaussianWeights(Values({ 0, 2, 4 }), 2), Values({ 1, std::exp(-0.5), std::exp(-2) })),
+    1e-15);
+  c.Error("Gaussian weights of width 0 are 1 on flat parts only",
+    Difference(GaussianWeights(Values({ 0, 1e-9, 4 }), 0), Values({ 1, 0, 0 })), 0);
+  c.Error("anchors are where the tag is not 0",
+    Difference(AnchorWeights(Values({ 0, 1, -2, 0.1 })), Values({ 0, 1, 1, 1 })), 0);
+}
+
+Vector Held(const Vector& weights, const Mask& isFixed)
+{
+  Vector held = weights;
+  HoldLooseComponents({ 0, 0, 1, 1, 0 }, isFixed, 7, held);
+  return held;
+}
+
+void CheckLooseComponents(Checks& c)
+{
+  const Mask none(5, 0);
+  c.Error("a component without weights is held",
+    Difference(Held(Values({ 0, 2, 0, 0, 0 }), none), Values({ 0, 2, 7, 7, 0 })), 0);
+  c.Error("a component with a fixed vertex is not held",
+    Difference(Held(Vector::Zero(5), { 0, 0, 0, 1, 0 }), Values({ 7, 7, 0, 0, 7 })), 0);
+  c.Error("components with weights keep them",
+    Difference(Held(Values({ 0, 0, 1, 0, 3 }), none), Values({ 0, 0, 1, 0, 3 })), 0);
+}
+}
+
+int TestWeights(int, char*[])
+{
+  Checks c;
+  CheckStatistics(c);
+  CheckLinearWeights(c);
+  CheckOtherWeights(c);
+  CheckLooseComponents(c);
+  return c.Result();
+}

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "FilterTesting.h"
+#include "TestMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkMeshLaplacian.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+using namespace lmo;
+
+namespace
+{
+const std::pair<const char*, int> Arrays[] = { { "UniformLaplacian", 3 },
+  { "CotangentLaplacian", 3 }, { "MeanCurvatureNormal", 3 }, { "MeanCurvature", 1 },
+  { "GaussianCurvature", 1 }, { "VoronoiArea", 1 } };
+
+vtkSmartPointer<vtkPolyData> WithLaplacians(vtkPolyData* input)
+{
+  vtkNew<vtkMeshLaplacian> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+void CheckSphere(Checks& c)
+{
+  const double radius = 5;
+  const TestMesh sphere = Icosphere(3, radius);
+  for (const int type : { VTK_FLOAT, VTK_DOUBLE })
+  {
+    const auto output = WithLaplacians(MakePolyData(sphere, type));
+    c.Error("kappa n of a sphere points inward",
+      MaximumDistance(PointValues(output, "MeanCurvatureNormal") * radius, -sphere.V / radius),
+      0.02);
+    c.Error("kappa of a sphere is 1 / R",
+      LargestMagnitude(PointValues(output, "MeanCurvature").array() * radius - 1), 0.02);
+    c.Error("Gaussian curvature of a sphere is 1 / R^2",
+      LargestMagnitude(PointValues(output, "GaussianCurvature").array() * radius * radius - 1),
+      0.02);
+    c.Error("Voronoi areas sum to the area",
+      std::abs(PointValues(output, "VoronoiArea").sum() / SurfaceArea(sphere) - 1), 1e-6);
+    for (const auto& [name, components] : Arrays)
+    {
+      c.True(std::string("arrays are double: ") + name,
+        output->GetPointData()->GetArray(name)->GetDataType() == VTK_DOUBLE);
+    }
+  }
+}
+
+void CheckHandDerivedValues(Checks& c)
+{
+  const auto cross = WithLaplacians(MakePolyData(CrossRing()));
+  c.Error("delta_u of the cross is (1/4, -1/4)",
+    (PointValues(cross, "UniformLaplacian").row(0) - Vector3(0.25, -0.25, 0)).norm(), 1e-15);
+  c.Error(
+    "delta_c of the cross is 0", PointValues(cross, "CotangentLaplacian").row(0).norm(), 1e-15);
+  const auto cube = WithLaplacians(MakePolyData(Cube()));
+  c.Error("delta_c of the cube's corner is (1/3, 1/3, 1/3)",
+    (PointValues(cube, "CotangentLaplacian").row(0) - Vector3::Constant(1.0 / 3)).norm(), 1e-15);
+  c.Error("kappa n of the cube's corner is (2/3, 2/3, 2/3)",
+    (PointValues(cube, "MeanCurvatureNormal").row(0) - Vector3::Constant(2.0 / 3)).norm(), 1e-15);
+}
+
+void CheckMixedCells(Checks& c)
+{
+  const auto input = MakeMixedPolyData();
+  const auto output = WithLaplacians(input);
+  const auto withoutStrips = WithLaplacians(MakeMixedPolyDataWithoutStrips());
+  c.True("points and cells pass through", AreEqual(output->GetPolys(), input->GetPolys()) &&
+                                            AreEqual(output->GetStrips(), input->GetStrips()) &&
+                                            PointsOf(output) == PointsOf(input));
+  c.True("point data pass through", Contains(output->GetPointData(), input->GetPointData()));
+  for (const auto& [name, components] : Arrays)
+  {
+    const Eigen::MatrixXd values = PointValues(output, name);
+    c.True(std::string("there is an array ") + name,
+      values.rows() == input->GetNumberOfPoints() && values.cols() == components);
+    c.Error(std::string("unused points have 0: ") + name, values.row(169).norm(), 0);
+    c.Error(std::string("strips and triangles give the same: ") + name,
+      LargestMagnitude(values - PointValues(withoutStrips, name)), 1e-12);
+  }
+}
+
+void CheckOtherInput(Checks& c)
+{
+  vtkNew<vtkMeshLaplacian> filter;
+  vtkNew<vtkPolyData> nothing;
+  filter->SetInputData(nothing);
+  c.True("an empty input is no error", Update(filter).errors.empty());
+  c.True("an empty input gives an empty output", filter->GetOutput()->GetNumberOfPoints() == 0);
+
+  const auto quads = MakePolyData(Cube());
+  quads->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
+  filter->SetInputData(quads);
+  c.True("quads are an error which names vtkTriangleFilter",
+    Update(filter).errors.find("vtkTriangleFilter") != std::string::npos);
+  c.True("after an error the output is empty", IsEmpty(filter->GetOutput()));
+}
+}
+
+int TestMeshLaplacian(int, char*[])
+{
+  Checks c;
+  CheckSphere(c);
+  CheckHandDerivedValues(c);
+  CheckMixedCells(c);
+  CheckOtherInput(c);
+  return c.Result();
+}

@@ -1,0 +1,253 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "FilterTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkDataObject.h"
+#include "vtkLaplacianMeshOptimizer.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace lmo;
+
+namespace
+{
+using Optimizer = vtkLaplacianMeshOptimizer;
+
+const double NaN = std::numeric_limits<double>::quiet_NaN();
+const double Infinity = std::numeric_limits<double>::infinity();
+
+/// Checks that the filter refuses what \a spoil does to it or its input, with an error that holds
+/// all of \a texts, and recovers.
+void CheckRefusal(Checks& c, const std::string& what,
+  const std::function<void(Optimizer*, vtkPolyData*)>& spoil, const std::vector<std::string>& texts)
+{
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(MakePolyData(Icosphere(1)));
+  filter->Update();
+
+  const auto input = MakePolyData(Icosphere(1));
+  spoil(filter, input);
+  filter->SetInputData(input);
+  const std::string errors = Update(filter).errors;
+  for (const std::string& text : texts)
+  {
+    c.True(what + ": the error says '" + text + "'", errors.find(text) != std::string::npos);
+  }
+  c.True(what + ": the output is empty", IsEmpty(filter->GetOutput()));
+
+  vtkNew<Optimizer> defaults;
+  filter->SetMode(defaults->GetMode());
+  filter->SetLaplacianType(defaults->GetLaplacianType());
+  filter->SetPositionWeighting(defaults->GetPositionWeighting());
+  filter->SetScaleFactor(defaults->GetScaleFactor());
+  filter->SetLaplacianWeighting(defaults->GetLaplacianWeighting());
+  filter->SetGaussianWidth(defaults->GetGaussianWidth());
+  filter->SetTangentPlaneWeight(defaults->GetTangentPlaneWeight());
+  filter->SetBoundaryCondition(defaults->GetBoundaryCondition());
+  filter->SetSolverType(defaults->GetSolverType());
+  filter->SetTolerance(defaults->GetTolerance());
+  filter->SetMaximumNumberOfIterations(defaults->GetMaximumNumberOfIterations());
+  for (int index = 0; index < 4; ++index)
+  {
+    filter->SetInputArrayToProcess(index, 0, 0, 0, "None");
+  }
+  filter->SetInputData(MakePolyData(Icosphere(1)));
+  c.True(what + ": the filter works again",
+    Update(filter).errors.empty() && filter->GetOutput()->GetNumberOfPoints() == 42);
+}
+
+void CheckCells(Checks& c)
+{
+  CheckRefusal(c, "quads",
+    [](Optimizer*, vtkPolyData* input)
+    {
+      input->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+      input->GetPolys()->InsertNextCell({ 3, 4, 5, 6, 7 });
+    },
+    { "2 polygons", "cell 80", "vtkTriangleFilter" });
+  CheckRefusal(c, "polygons of two points",
+    [](Optimizer*, vtkPolyData* input) {
+      input->GetPolys()->InsertNextCell({ 0, 1 });
+    },
+    { "1 polygon", "cell 80", "vtkTriangleFilter" });
+  CheckRefusal(c, "point ids that are too large",
+    [](Optimizer*, vtkPolyData* input) {
+      input->GetPolys()->InsertNextCell({ 0, 1, 42 });
+    },
+    { "1 triangle", "cell 80", "Repair" });
+  CheckRefusal(c, "negative point ids",
+    [](Optimizer*, vtkPolyData* input) {
+      input->GetPolys()->InsertNextCell({ 0, -1, 2 });
+    },
+    { "1 triangle", "cell 80", "Repair" });
+  CheckRefusal(c, "point ids of a strip that are too large",
+    [](Optimizer*, vtkPolyData* input)
+    {
+      vtkNew<vtkCellArray> strips;
+      strips->InsertNextCell({ 0, 1, 2, 1000 });
+      input->SetStrips(strips);
+    },
+    { "1 triangle", "cell 80", "Repair" });
+}
+
+void CheckCoordinates(Checks& c)
+{
+  CheckRefusal(c, "NaN coordinates",
+    [](Optimizer*, vtkPolyData* input)
+    {
+      input->GetPoints()->SetPoint(5, 0, NaN, 0);
+      input->GetPoints()->SetPoint(7, NaN, NaN, NaN);
+    },
+    { "2 points", "NaN", "point 5", "Remove" });
+  CheckRefusal(c, "infinite coordinates",
+    [](Optimizer*, vtkPolyData* input) { input->GetPoints()->SetPoint(41, 0, 0, -Infinity); },
+    { "1 point", "infinite", "point 41", "Remove" });
+}
+
+/// Squares of such coordinates overflow.
+void CheckHugeCoordinates(Checks& c)
+{
+  for (const int mode : { Optimizer::OPTIMIZE_TRIANGLES, Optimizer::SMOOTH })
+  {
+    const auto input = MakePolyData(Icosphere(1));
+    input->GetPoints()->SetPoint(3, 1e300, 0, 0);
+    vtkNew<Optimizer> filter;
+    filter->SetInputData(input);
+    filter->SetMode(mode);
+    const bool isRefused = !Update(filter).errors.empty();
+    c.True("a coordinate of 1e300 is refused or does no harm",
+      isRefused || (std::isfinite(filter->GetRelativeResidual()) &&
+                     std::isfinite(filter->GetMaximumDisplacement()) &&
+                     PointValues(filter->GetOutput(), "MeanCurvature").allFinite()));
+  }
+}
+
+/// The normals are written, not only read.
+void CheckNormals(Checks& c)
+{
+  CheckRefusal(c, "normals of a wrong size",
+    [](Optimizer*, vtkPolyData* input)
+    {
+      AddPointArray(input, "Array", Eigen::MatrixXd::Ones(1, 3));
+      input->GetPointData()->SetActiveNormals("Array");
+    },
+    { "'Array'", "1 tuples", "42" });
+}
+
+/// Adds the array "Array" and chooses it.
+std::function<void(Optimizer*, vtkPolyData*)> ChooseArray(
+  int index, const Eigen::MatrixXd& values, const std::function<void(Optimizer*)>& choose)
+{
+  return [=](Optimizer* filter, vtkPolyData* input)
+  {
+    AddPointArray(input, "Array", values);
+    filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Array");
+    choose(filter);
+  };
+}
+
+void CheckArray(Checks& c, const std::string& name, int index, int components, bool isWeight,
+  const std::function<void(Optimizer*)>& choose)
+{
+  Eigen::MatrixXd values = Eigen::MatrixXd::Ones(42, components);
+  CheckRefusal(c, name + " of a wrong size", ChooseArray(index, values.topRows(41), choose),
+    { "'Array'", "41 tuples", "42", "Choose" });
+  CheckRefusal(c, name + " with wrong components",
+    ChooseArray(index, Eigen::MatrixXd::Ones(42, 2), choose),
+    { "'Array'", "2 components", std::to_string(components), "Choose" });
+  values(9, components - 1) = NaN;
+  values(10, 0) = Infinity;
+  CheckRefusal(c, name + " with NaN and infinity", ChooseArray(index, values, choose),
+    { "2 values", "'Array'", "NaN", "point 9", "Replace" });
+  values.setOnes();
+  values(3, 0) = values(8, 0) = -1;
+  if (isWeight)
+  {
+    CheckRefusal(c, name + " below 0", ChooseArray(index, values, choose),
+      { "2 weights", "'Array'", "negative", "point 3", "0 or more" });
+  }
+  CheckRefusal(c, name + " that do not exist",
+    [&](Optimizer* filter, vtkPolyData*)
+    {
+      filter->SetInputArrayToProcess(
+        index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Missing");
+      choose(filter);
+    },
+    { "'Missing'", "Choose" });
+}
+
+void CheckNoArray(Checks& c, const std::string& name, const std::function<void(Optimizer*)>& choose)
+{
+  CheckRefusal(c, name + " that are not chosen",
+    [&](Optimizer* filter, vtkPolyData*) { choose(filter); }, { "array", "Choose one" });
+}
+
+void CheckArrays(Checks& c)
+{
+  const auto weights = [](Optimizer* filter) { filter->SetPositionWeighting(Optimizer::ARRAY); };
+  const auto anchors = [](Optimizer* filter) { filter->SetPositionWeighting(Optimizer::ANCHORS); };
+  const auto falloff = [](Optimizer* filter) { filter->SetLaplacianWeighting(Optimizer::ARRAY); };
+  const auto prescribed = [](Optimizer* filter)
+  { filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS); };
+  const auto nothing = [](Optimizer*) {};
+  CheckArray(c, "position weights", Optimizer::POSITION_WEIGHT_ARRAY, 1, true, weights);
+  CheckArray(c, "anchors", Optimizer::POSITION_WEIGHT_ARRAY, 1, false, anchors);
+  CheckArray(c, "Laplacian weights", Optimizer::LAPLACIAN_WEIGHT_ARRAY, 1, true, falloff);
+  CheckArray(
+    c, "prescribed Laplacians", Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 3, false, prescribed);
+  CheckArray(c, "fixed points", Optimizer::FIXED_POINT_ARRAY, 1, false, nothing);
+  CheckNoArray(c, "position weights", weights);
+  CheckNoArray(c, "anchors", anchors);
+  CheckNoArray(c, "Laplacian weights", falloff);
+  CheckNoArray(c, "prescribed Laplacians", prescribed);
+}
+
+/// Checks that the setter's value is refused by the property's name.
+template <typename Setter, typename Value>
+void CheckValues(
+  Checks& c, const std::string& name, Setter set, std::initializer_list<Value> values)
+{
+  for (const Value value : values)
+  {
+    std::ostringstream text;
+    text << value;
+    CheckRefusal(c, name + " " + text.str(),
+      [&](Optimizer* filter, vtkPolyData*) { (filter->*set)(value); }, { name, text.str() });
+  }
+}
+
+void CheckParameters(Checks& c)
+{
+  const auto enumeration = { -1, 99 };
+  CheckValues(c, "Mode", &Optimizer::SetMode, enumeration);
+  CheckValues(c, "LaplacianType", &Optimizer::SetLaplacianType, enumeration);
+  CheckValues(c, "PositionWeighting", &Optimizer::SetPositionWeighting, enumeration);
+  CheckValues(c, "LaplacianWeighting", &Optimizer::SetLaplacianWeighting, enumeration);
+  CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
+  CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
+  CheckValues(c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, NaN, Infinity });
+  CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });
+  CheckValues(c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, NaN, Infinity });
+  CheckValues(c, "Tolerance", &Optimizer::SetTolerance, { 0.0, 1.0, -1.0, NaN, Infinity });
+  CheckValues(c, "MaximumNumberOfIterations", &Optimizer::SetMaximumNumberOfIterations, { 0, -1 });
+}
+}
+
+int TestOptimizerErrors(int, char*[])
+{
+  Checks c;
+  CheckCells(c);
+  CheckCoordinates(c);
+  CheckArrays(c);
+  CheckParameters(c);
+  CheckHugeCoordinates(c);
+  CheckNormals(c);
+  return c.Result();
+}

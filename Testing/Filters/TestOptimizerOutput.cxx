@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "FilterTesting.h"
+#include "TestMeasures.h"
+
+#include "vtkCellData.h"
+#include "vtkLaplacianMeshOptimizer.h"
+#include "vtkMassProperties.h"
+#include "vtkMeshLaplacian.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkTriangleRadiusRatio.h"
+
+using namespace lmo;
+
+namespace
+{
+using Optimizer = vtkLaplacianMeshOptimizer;
+
+vtkSmartPointer<vtkPolyData> WithRadiusRatio(vtkPolyData* input)
+{
+  vtkNew<vtkTriangleRadiusRatio> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+double Volume(vtkPolyData* mesh)
+{
+  vtkNew<vtkMassProperties> properties;
+  properties->SetInputData(mesh);
+  return properties->GetVolume();
+}
+
+void CheckPointArrays(Checks& c, vtkPolyData* input, vtkPolyData* output)
+{
+  const std::pair<const char*, int> arrays[] = { { "RadiusRatio", 1 }, { "InputRadiusRatio", 1 },
+    { "MeanCurvature", 1 }, { "PositionWeight", 1 }, { "LaplacianWeight", 1 },
+    { "Displacement", 3 } };
+  for (const auto& [name, components] : arrays)
+  {
+    const Eigen::MatrixXd values = PointValues(output, name);
+    c.True(std::string("there is a point array ") + name,
+      values.rows() == input->GetNumberOfPoints() && values.cols() == components);
+  }
+  c.Error("Displacement is output minus input",
+    LargestMagnitude(PointValues(output, "Displacement") - (PointsOf(output) - PointsOf(input))),
+    0);
+  const Eigen::MatrixXd weights = PointValues(output, "PositionWeight").topRows(169);
+  c.True("PositionWeight is the share of points with at most this curvature",
+    weights.maxCoeff() == 1 && weights.minCoeff() > 0);
+  c.Error("LaplacianWeight is 1",
+    LargestMagnitude(PointValues(output, "LaplacianWeight").array() - 1), 0);
+  vtkNew<vtkMeshLaplacian> laplacians;
+  laplacians->SetInputData(input);
+  laplacians->Update();
+  c.Error("MeanCurvature is that of vtkMeshLaplacian",
+    LargestMagnitude(
+      PointValues(output, "MeanCurvature") - PointValues(laplacians->GetOutput(), "MeanCurvature")),
+    0);
+}
+
+void CheckRadiusRatios(Checks& c, vtkPolyData* input, vtkPolyData* output)
+{
+  const auto before = WithRadiusRatio(input);
+  const auto after = WithRadiusRatio(output);
+  c.Error("RadiusRatio of the cells is that of vtkTriangleRadiusRatio",
+    LargestMagnitude(CellValues(output, "RadiusRatio") - CellValues(after, "RadiusRatio")), 0);
+  c.Error("RadiusRatio of the points is that of vtkTriangleRadiusRatio",
+    LargestMagnitude(PointValues(output, "RadiusRatio") - PointValues(after, "RadiusRatio")), 0);
+  c.Error("InputRadiusRatio of the cells is that of vtkTriangleRadiusRatio",
+    LargestMagnitude(CellValues(output, "InputRadiusRatio") - CellValues(before, "RadiusRatio")),
+    0);
+  c.Error("InputRadiusRatio of the points is that of vtkTriangleRadiusRatio",
+    LargestMagnitude(PointValues(output, "InputRadiusRatio") - PointValues(before, "RadiusRatio")),
+    0);
+  for (const char* name : { "RadiusRatio", "InputRadiusRatio" })
+  {
+    c.True(std::string("vertices and lines have -1: ") + name,
+      (CellValues(output, name).topRows(3).array() == -1).all());
+    c.True(std::string("triangles and strips have 0 to 1: ") + name,
+      (CellValues(output, name).bottomRows(150).array() > 0).all());
+    c.True(std::string("unused points have -1: ") + name, PointValues(output, name)(169) == -1);
+  }
+  c.True("RadiusRatio changes",
+    FieldValue(output, "MeanRadiusRatio") != FieldValue(output, "InputMeanRadiusRatio"));
+}
+
+void CheckGetters(Checks& c, Optimizer* filter)
+{
+  const std::pair<const char*, double> figures[] = { { "MeanRadiusRatio",
+                                                       filter->GetMeanRadiusRatio() },
+    { "MinimumRadiusRatio", filter->GetMinimumRadiusRatio() },
+    { "InputMeanRadiusRatio", filter->GetInputMeanRadiusRatio() },
+    { "InputMinimumRadiusRatio", filter->GetInputMinimumRadiusRatio() },
+    { "MaximumDisplacement", filter->GetMaximumDisplacement() },
+    { "RelativeMaximumDisplacement", filter->GetRelativeMaximumDisplacement() },
+    { "RelativeVolumeChange", filter->GetRelativeVolumeChange() },
+    { "FlippedTriangles", double(filter->GetFlippedTriangles()) },
+    { "Iterations", double(filter->GetIterations()) },
+    { "RelativeResidual", filter->GetRelativeResidual() } };
+  for (const auto& [name, value] : figures)
+  {
+    c.True(std::string("the field array is what the getter returns: ") + name,
+      FieldValue(filter->GetOutput(), name) == value);
+  }
+}
+
+void CheckFigures(Checks& c)
+{
+  const TestMesh sphere = Irregular(Icosphere(3), 0.02);
+  const auto input = MakePolyData(sphere);
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(input);
+  filter->SetMode(Optimizer::SMOOTH);
+  filter->SetScaleFactor(0.1);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  CheckGetters(c, filter);
+
+  const Eigen::MatrixXd before = CellValues(output, "InputRadiusRatio");
+  const Eigen::MatrixXd after = CellValues(output, "RadiusRatio");
+  c.Error("MeanRadiusRatio", std::abs(filter->GetMeanRadiusRatio() - after.mean()), 1e-14);
+  c.Error("MinimumRadiusRatio", std::abs(filter->GetMinimumRadiusRatio() - after.minCoeff()), 0);
+  c.Error(
+    "InputMeanRadiusRatio", std::abs(filter->GetInputMeanRadiusRatio() - before.mean()), 1e-14);
+  c.Error("InputMinimumRadiusRatio",
+    std::abs(filter->GetInputMinimumRadiusRatio() - before.minCoeff()), 0);
+
+  const double displacement = MaximumDistance(PointsOf(output), sphere.V);
+  c.Error("MaximumDisplacement", std::abs(filter->GetMaximumDisplacement() - displacement), 1e-15);
+  c.Error("RelativeMaximumDisplacement",
+    std::abs(filter->GetRelativeMaximumDisplacement() - displacement / input->GetLength()), 1e-15);
+  c.Error("RelativeVolumeChange",
+    std::abs(filter->GetRelativeVolumeChange() - (Volume(output) / Volume(input) - 1)), 1e-6);
+  c.True("smoothing shrinks a sphere", filter->GetRelativeVolumeChange() < -0.001);
+  c.True("the solver iterates", filter->GetIterations() > 0);
+  c.True("the residual is within the tolerance",
+    filter->GetRelativeResidual() > 0 && filter->GetRelativeResidual() <= 1e-6);
+}
+
+/// A ring whose centre is prescribed to be at (10, 0): it crosses two of the ring's edges.
+void CheckFlips(Checks& c)
+{
+  const auto input = MakePolyData(CrossRing());
+  Points f = Points::Zero(5, 3);
+  f.row(0) = Vector3(0.25, -0.25, 0) - Vector3(10, 0, 0);
+  AddPointArray(input, "f", f);
+  AddPointArray(input, "free", Vector::Zero(5));
+  const auto output = Optimized(input,
+    [](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS);
+      filter->SetPositionWeighting(Optimizer::ARRAY);
+      filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0, 0, "f");
+      filter->SetInputArrayToProcess(Optimizer::POSITION_WEIGHT_ARRAY, 0, 0, 0, "free");
+    });
+  c.Error(
+    "a prescribed Laplacian is met", (PointsOf(output).row(0) - Vector3(10, 0, 0)).norm(), 1e-12);
+  c.Error(
+    "the centre moved by 10", std::abs(FieldValue(output, "MaximumDisplacement") - 10), 1e-12);
+  c.True("two triangles flipped", FieldValue(output, "FlippedTriangles") == 2);
+}
+}
+
+int TestOptimizerOutput(int, char*[])
+{
+  Checks c;
+  const auto input = MakeMixedPolyData();
+  const auto output = Optimized(input);
+  CheckPointArrays(c, input, output);
+  CheckRadiusRatios(c, input, output);
+  c.True("an open surface has no volume change", FieldValue(output, "RelativeVolumeChange") == 0);
+  CheckFigures(c);
+  CheckFlips(c);
+  return c.Result();
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+
+#include "vtkLaplacianMeshOptimizer.h"
+#include "vtkMeshLaplacian.h"
+#include "vtkNew.h"
+#include "vtkSurfaceDeviation.h"
+#include "vtkTriangleRadiusRatio.h"
+
+#include <vector>
+
+namespace
+{
+void CheckNames(Checks& c, vtkObject* filter, const std::vector<std::string>& names)
+{
+  std::ostringstream text;
+  filter->Print(text);
+  for (const std::string& name : names)
+  {
+    c.True(std::string(filter->GetClassName()) + " prints " + name,
+      text.str().find("\n  " + name + ": ") != std::string::npos);
+  }
+}
+}
+
+int TestPrintSelf(int, char*[])
+{
+  Checks c;
+  CheckNames(c, vtkNew<vtkLaplacianMeshOptimizer>(),
+    { "Mode", "LaplacianType", "PositionWeighting", "ScaleFactor", "LaplacianWeighting",
+      "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints", "TangentPlaneWeight",
+      "BoundaryCondition", "SolverType", "Tolerance", "MaximumNumberOfIterations", "ComputeNormals",
+      "MeanRadiusRatio", "MinimumRadiusRatio", "InputMeanRadiusRatio", "InputMinimumRadiusRatio",
+      "MaximumDisplacement", "RelativeMaximumDisplacement", "RelativeVolumeChange",
+      "FlippedTriangles", "Iterations", "RelativeResidual" });
+  CheckNames(c, vtkNew<vtkSurfaceDeviation>(),
+    { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
+      "RelativeMeanDistance" });
+  CheckNames(c, vtkNew<vtkTriangleRadiusRatio>(), { "MeanRadiusRatio", "MinimumRadiusRatio" });
+  CheckNames(c, vtkNew<vtkMeshLaplacian>(), { "Reference Count" });
+  return c.Result();
+}

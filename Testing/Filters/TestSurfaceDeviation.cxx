@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "FilterTesting.h"
+#include "TestMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceDeviation.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+struct Deviation
+{
+  Vector distances; ///< point array
+  double hausdorff;
+  double mean;
+  double relativeHausdorff;
+  double relativeMean;
+};
+
+Deviation Measure(const TestMesh& surface, const TestMesh& reference, int samples = 100000)
+{
+  vtkNew<vtkSurfaceDeviation> filter;
+  filter->SetInputData(MakePolyData(surface));
+  filter->SetReferenceData(MakePolyData(reference));
+  filter->SetNumberOfSamples(samples);
+  filter->Update();
+  return { PointValues(filter->GetOutput(), "Distance").col(0), filter->GetHausdorffDistance(),
+    filter->GetMeanDistance(), filter->GetRelativeHausdorffDistance(),
+    filter->GetRelativeMeanDistance() };
+}
+
+/// Unit squares, as many as wide and high, with the lower left corner at \a origin.
+TestMesh Rectangle(int width, const Vector3& origin)
+{
+  TestMesh mesh = Transformed(Grid(1, 0), 1, origin);
+  mesh.V.col(0) += (width - 1) * (mesh.V.col(0).array() - origin[0]).matrix();
+  return mesh;
+}
+
+void CheckPlanes(Checks& c)
+{
+  const TestMesh square = Rectangle(1, { 0, 0, 0 });
+  const Deviation above = Measure(square, Rectangle(1, { 0, 0, 0.25 }));
+  c.Error("parallel squares are their distance apart", std::abs(above.hausdorff - 0.25), 1e-15);
+  c.Error(
+    "parallel squares are their distance apart in the mean", std::abs(above.mean - 0.25), 1e-14);
+
+  const Deviation beside = Measure(square, Rectangle(1, { 0.5, 0, 0 }));
+  c.Error("a square moved in its plane by t is t away", std::abs(beside.hausdorff - 0.5), 1e-15);
+  // The mean of the integral of x from 0 to t.
+  c.Error("a square moved in its plane by t is t^2 / 2 away in the mean",
+    std::abs(beside.mean - 0.125), 1e-4);
+
+  const Deviation part = Measure(square, Rectangle(3, { 0, 0, 0 }));
+  c.Error("a part has no distance to the whole", LargestMagnitude(part.distances), 1e-15);
+  c.Error("the whole has a distance to a part", std::abs(part.hausdorff - 2), 1e-15);
+  c.Error("distances are relative to the reference's diagonal",
+    std::abs(part.relativeHausdorff - part.hausdorff / std::sqrt(10)) +
+      std::abs(part.relativeMean - part.mean / std::sqrt(10)),
+    1e-15);
+  // 0 forth and (0 + 1/2 + 3/2) / 3 back.
+  c.Error("the mean is that of both directions", std::abs(part.mean - 1.0 / 3), 1e-4);
+  const Deviation whole = Measure(Rectangle(3, { 0, 0, 0 }), square);
+  c.Error("the deviation is the same in both directions",
+    std::abs(whole.hausdorff - part.hausdorff) + std::abs(whole.mean - part.mean), 1e-15);
+  c.Error("the distances are those of port 0", std::abs(whole.distances.maxCoeff() - 2), 1e-15);
+}
+
+void CheckSpheres(Checks& c)
+{
+  const TestMesh sphere = Irregular(Icosphere(4), 0.001);
+  const Deviation same = Measure(sphere, sphere, 10000);
+  c.Error("identical surfaces have no distance", same.hausdorff, 1e-12);
+  const Deviation concentric = Measure(Icosphere(4, 2), Icosphere(4, 3), 1000);
+  c.Error("concentric spheres are the difference of their radii apart",
+    std::abs(concentric.hausdorff - 1), 0.01);
+  c.Error("concentric spheres are the difference of their radii apart in the mean",
+    std::abs(concentric.mean - 1), 0.01);
+}
+
+/// A square of side 3 with a hole of side 1 in the middle.
+TestMesh Frame()
+{
+  TestMesh mesh = Grid(3, 0);
+  Triangles frame(16, 3);
+  frame << mesh.T.topRows(8), mesh.T.bottomRows(8);
+  mesh.T = frame;
+  return mesh;
+}
+
+void CheckSamples(Checks& c)
+{
+  TestMesh plate = Grid(1, 0);
+  plate.V *= 3;
+  const Deviation hole = Measure(plate, Frame());
+  c.Error("all points of the plate lie on the frame", LargestMagnitude(hole.distances), 1e-15);
+  c.Error(
+    "the middle of the hole is found inside a triangle", std::abs(hole.hausdorff - 0.5), 0.01);
+  // A pyramid of height 1/2 over the hole, volume 1/6, over the area 9; nothing back.
+  c.Error("the mean counts the area", std::abs(hole.mean - 1.0 / 6 / 9 / 2), 1e-4);
+  c.Error("few samples find less", Measure(plate, Frame(), 10).hausdorff, 0.4);
+}
+
+/// Points of a fine grid over each triangle.
+Points FineGrid(const TestMesh& mesh, int cells)
+{
+  std::vector<Vector3> points;
+  for (const auto& T : mesh.T.rowwise())
+  {
+    for (int i = 0; i <= cells; ++i)
+    {
+      for (int j = 0; i + j <= cells; ++j)
+      {
+        points.emplace_back(
+          (i * mesh.V.row(T[0]) + j * mesh.V.row(T[1]) + (cells - i - j) * mesh.V.row(T[2])) /
+          cells);
+      }
+    }
+  }
+  Points result(points.size(), 3);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    result.row(k) = points[k];
+  }
+  return result;
+}
+
+Vector DistancesByTrial(const Points& points, const TestMesh& mesh)
+{
+  Vector distances(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
+  {
+    distances[i] = DistanceToSurface(points.row(i), mesh);
+  }
+  return distances;
+}
+
+/// Random triangles, in general position.
+TestMesh RandomTriangles(Random& random, int triangles)
+{
+  TestMesh mesh{ random.Displacements(3 * triangles), Triangles(triangles, 3) };
+  for (int k = 0; k < 3 * triangles; ++k)
+  {
+    mesh.T(k / 3, k % 3) = k;
+  }
+  return mesh;
+}
+
+void CheckAgainstTrial(Checks& c)
+{
+  Random random;
+  for (int k = 0; k < 5; ++k)
+  {
+    const TestMesh a = RandomTriangles(random, 8), b = RandomTriangles(random, 5);
+    const Deviation forth = Measure(a, b, 10000), back = Measure(b, a, 10000);
+    c.Error("distances are those found by trial",
+      LargestMagnitude(forth.distances - DistancesByTrial(a.V, b)) +
+        LargestMagnitude(back.distances - DistancesByTrial(b.V, a)),
+      1e-13);
+    const double hausdorff = std::max(DistancesByTrial(FineGrid(a, 50), b).maxCoeff(),
+      DistancesByTrial(FineGrid(b, 50), a).maxCoeff());
+    // Both are lower bounds, from points that are about 0.03 apart.
+    c.Error(
+      "the Hausdorff distance is that found by trial", std::abs(forth.hausdorff - hausdorff), 0.02);
+    c.Error("the Hausdorff distance is the same in both directions",
+      std::abs(forth.hausdorff - back.hausdorff), 1e-15);
+  }
+}
+
+TestMesh Triangle(const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  TestMesh mesh = EquilateralTriangle();
+  mesh.V << a, b, c;
+  return mesh;
+}
+
+void CheckDegenerateTriangles(Checks& c)
+{
+  const TestMesh triangle = Triangle({ 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 });
+  const TestMesh line = Triangle({ 0, 0, 1 }, { 2, 0, 1 }, { 3, 0, 1 });
+  const TestMesh point = Triangle({ 0, 0, 1 }, { 0, 0, 1 }, { 0, 0, 1 });
+  const double root2 = std::sqrt(2);
+  c.Error("a triangle without area is as far as its longest edge",
+    LargestMagnitude(Measure(triangle, line).distances - Vector3(1, 1, root2).transpose()), 1e-15);
+  c.Error(
+    "the way back is found too", std::abs(Measure(triangle, line).hausdorff - std::sqrt(5)), 1e-15);
+  c.Error("a triangle of equal points is as far as they are",
+    LargestMagnitude(Measure(triangle, point).distances - Vector3(1, root2, root2).transpose()),
+    1e-15);
+  c.Error("a line is on itself", Measure(line, line).hausdorff, 1e-15);
+  const TestMesh cross = WithTriangle(CrossRing(), 1, 1, 2);
+  c.Error("collapsed triangles do not count", Measure(cross, CrossRing()).hausdorff, 1e-15);
+
+  TestMesh collapsed = triangle;
+  collapsed.T << 0, 0, 1;
+  const Deviation deviation = Measure(collapsed, collapsed);
+  c.True("collapsed triangles alone do no harm", !(deviation.hausdorff > 0));
+}
+
+void CheckOtherInput(Checks& c)
+{
+  vtkNew<vtkSurfaceDeviation> filter;
+  const auto isRefused = [&](const std::string& what, vtkPolyData* surface, vtkPolyData* reference,
+                           const std::string& text)
+  {
+    filter->SetInputData(surface);
+    filter->SetReferenceData(reference);
+    c.True(what + " are an error which says '" + text + "'",
+      Update(filter).errors.find(text) != std::string::npos);
+    c.True(what + " leave the output empty", IsEmpty(filter->GetOutput()));
+  };
+  const auto cube = MakePolyData(Cube());
+  const auto quads = MakePolyData(Cube());
+  quads->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
+  vtkNew<vtkPolyData> nothing;
+  isRefused("quads", quads, cube, "vtkTriangleFilter");
+  isRefused("quads of the reference", cube, quads, "vtkTriangleFilter");
+  isRefused("references without triangles", cube, nothing, "reference");
+  filter->SetNumberOfSamples(0);
+  isRefused("0 samples", cube, cube, "NumberOfSamples");
+  filter->SetNumberOfSamples(100);
+
+  filter->SetInputData(nothing);
+  c.True("an empty surface is no error", Update(filter).errors.empty());
+  filter->SetReferenceData(nothing);
+  c.True("two empty surfaces are no error", Update(filter).errors.empty());
+  c.True("two empty surfaces have no distance", filter->GetHausdorffDistance() == 0);
+}
+
+void CheckMixedCells(Checks& c)
+{
+  const auto input = MakeMixedPolyData();
+  vtkNew<vtkSurfaceDeviation> filter;
+  filter->SetInputData(input);
+  filter->SetReferenceData(MakeMixedPolyDataWithoutStrips());
+  filter->SetNumberOfSamples(1000);
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  c.Error("strips and triangles are the same surface; an unused point does not count",
+    filter->GetHausdorffDistance(), 1e-12);
+  c.True("all data pass through", Contains(output->GetPointData(), input->GetPointData()) &&
+                                    Contains(output->GetFieldData(), input->GetFieldData()) &&
+                                    AreEqual(output->GetStrips(), input->GetStrips()));
+  c.True("field data hold what the getters return",
+    FieldValue(output, "HausdorffDistance") == filter->GetHausdorffDistance() &&
+      FieldValue(output, "RelativeHausdorffDistance") == filter->GetRelativeHausdorffDistance() &&
+      FieldValue(output, "MeanDistance") == filter->GetMeanDistance() &&
+      FieldValue(output, "RelativeMeanDistance") == filter->GetRelativeMeanDistance());
+}
+}
+
+int TestSurfaceDeviation(int, char*[])
+{
+  Checks c;
+  CheckPlanes(c);
+  CheckSpheres(c);
+  CheckSamples(c);
+  CheckAgainstTrial(c);
+  CheckMixedCells(c);
+  CheckOtherInput(c);
+  CheckDegenerateTriangles(c);
+  return c.Result();
+}
