@@ -148,28 +148,26 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(vtkPolyData* 
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   const vtkIdType points = input->GetNumberOfPoints();
+  const int weighting = filter.PositionWeighting;
   lmo::VertexArrays arrays;
-  vtkDataArray* array = this->FindArray(POSITION_WEIGHT_ARRAY, input);
-  if (array && filter.PositionWeighting == ARRAY)
+  vtkDataArray* array = nullptr;
+  if ((weighting == ARRAY || weighting == ANCHORS) &&
+      (array = this->FindArray(POSITION_WEIGHT_ARRAY, input)))
   {
-    arrays.positionWeights = lmo::ReadWeights(array, points);
+    arrays.positionWeights =
+      weighting == ARRAY ? lmo::ReadWeights(array, points) : lmo::ReadScalars(array, points);
   }
-  if (array && filter.PositionWeighting == ANCHORS)
-  {
-    arrays.positionWeights = lmo::ReadScalars(array, points);
-  }
-  array = this->FindArray(LAPLACIAN_WEIGHT_ARRAY, input);
-  if (array && filter.LaplacianWeighting == ARRAY)
+  if (filter.LaplacianWeighting == ARRAY &&
+      (array = this->FindArray(LAPLACIAN_WEIGHT_ARRAY, input)))
   {
     arrays.laplacianWeights = lmo::ReadWeights(array, points);
   }
-  array = this->FindArray(PRESCRIBED_LAPLACIAN_ARRAY, input);
-  if (array && filter.Mode == PRESCRIBED_LAPLACIANS)
+  if (filter.Mode == PRESCRIBED_LAPLACIANS &&
+      (array = this->FindArray(PRESCRIBED_LAPLACIAN_ARRAY, input)))
   {
     arrays.prescribedLaplacians = lmo::ReadVectors(array, points);
   }
-  array = this->FindArray(FIXED_POINT_ARRAY, input);
-  if (array)
+  if ((array = this->FindArray(FIXED_POINT_ARRAY, input)))
   {
     arrays.fixedPoints = lmo::ReadScalars(array, points);
   }

@@ -14,11 +14,11 @@ namespace
 using Row = PackedRow<float>;
 
 constexpr Index CoarsestSize = 400;
-static int SmootherDegree = getenv("DEG") ? atoi(getenv("DEG")) : 2;
-static float SmoothedShare = getenv("SHARE") ? atof(getenv("SHARE")) : 4;
 constexpr float StrongConnection = 0.08f; ///< relative to the geometric mean of the diagonals
+constexpr int SmootherDegree = 2;
+constexpr float SmoothedShare = 4; ///< the smoother acts on eigenvalues above the largest / this
 
-Row MultiplyRow(const SparseRows& A, const PackedPoints<float>& x, Index i)
+Row MultiplySparseRow(const SparseRows& A, const PackedPoints<float>& x, Index i)
 {
   Row sum = Row::Zero();
   for (Index k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
@@ -26,6 +26,30 @@ Row MultiplyRow(const SparseRows& A, const PackedPoints<float>& x, Index i)
     sum += A.valuePtr()[k] * x.col(A.innerIndexPtr()[k]);
   }
   return sum;
+}
+
+/// K + R without the fixed vertices, which have a row of the identity.
+SparseRows FineMatrix(const Laplacian& L, const Multigrid::Values& shift, const Mask& isFixed)
+{
+  const AdjacencyLists& rings = *L.rings;
+  const auto size = static_cast<Index>(shift.size());
+  return MakeSparseRows(size, size,
+    [&](Index i, const auto& add)
+    {
+      if (isFixed[i])
+      {
+        add(i, 1);
+        return;
+      }
+      add(i, static_cast<float>(shift[i] + WeightSum(L, i)));
+      for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
+      {
+        if (!isFixed[rings.ids[k]])
+        {
+          add(rings.ids[k], static_cast<float>(L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0));
+        }
+      }
+    });
 }
 
 /// Gershgorin bound of the largest eigenvalue of D^-1 A.
@@ -132,7 +156,21 @@ SparseRows SmoothedProlongation(const SparseRows& A, const Eigen::ArrayXf& dampi
 }
 }
 
-Multigrid::Multigrid(SparseRows matrix)
+Multigrid::Multigrid(
+  const PackedStiffness<float>& K, const Laplacian& L, Values shift, const Mask& isFixed)
+  : K(K)
+  , Shift(std::move(shift))
+{
+  this->BuildLevels(FineMatrix(L, this->Shift, isFixed));
+  this->Levels[0].A.resize(0, 0);
+  this->Levels[0].A.data().squeeze();
+  for (std::size_t i = 0; i < isFixed.size(); ++i)
+  {
+    this->Levels[0].inverseDiagonal[i] *= !isFixed[i];
+  }
+}
+
+void Multigrid::BuildLevels(SparseRows matrix)
 {
   while (true)
   {
@@ -142,6 +180,9 @@ Multigrid::Multigrid(SparseRows matrix)
     level.inverseDiagonal = 1 / Values(level.A.diagonal().array());
     level.largestEigenvalue = LargestEigenvalueBound(level.A);
     const auto size = static_cast<Index>(level.A.rows());
+    level.residual.resize(4, size);
+    level.step.resize(4, size);
+    level.nextStep.resize(4, size);
     if (size <= CoarsestSize)
     {
       break;
@@ -156,9 +197,6 @@ Multigrid::Multigrid(SparseRows matrix)
     }
     level.restriction = level.prolongation.transpose();
     matrix = Multiply(level.restriction, Multiply(level.A, level.prolongation));
-    level.residual.resize(4, size);
-    level.step.resize(4, size);
-    level.nextStep.resize(4, size);
     level.coarseRightHandSide.resize(4, coarseSize);
     level.coarseSolution.resize(4, coarseSize);
   }
@@ -176,39 +214,72 @@ void Multigrid::CycleFrom(
   if (index + 1 == this->Levels.size())
   {
     this->SolveCoarsest(rightHandSide, solution);
-    return;
   }
+  else if (index > 0)
+  {
+    const SparseRows& A = this->Levels[index].A;
+    this->CycleWith(
+      index, [&A](const PackedPoints<float>& x, Index i) { return MultiplySparseRow(A, x, i); },
+      rightHandSide, solution);
+  }
+  else if (this->K.IsWeighted())
+  {
+    this->CycleWith(
+      index,
+      [this](const PackedPoints<float>& x, Index i)
+      { return Row(this->K.Row<true>(x, i) + this->Shift[i] * x.col(i)); },
+      rightHandSide, solution);
+  }
+  else
+  {
+    this->CycleWith(
+      index,
+      [this](const PackedPoints<float>& x, Index i)
+      { return Row(this->K.Row<false>(x, i) + this->Shift[i] * x.col(i)); },
+      rightHandSide, solution);
+  }
+}
+
+template <typename MultiplyRow>
+void Multigrid::CycleWith(std::size_t index, const MultiplyRow& multiplyRow,
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+{
   Level& level = this->Levels[index];
-  const auto size = static_cast<Index>(level.A.rows());
+  const auto size = static_cast<Index>(level.inverseDiagonal.size());
   ParallelFor(size,
     [&](Index i)
     {
       solution.col(i).setZero();
       level.residual.col(i) = rightHandSide.col(i);
     });
-  Smooth(level, solution);
-  ParallelFor(static_cast<Index>(level.restriction.rows()), [&](Index i)
-    { level.coarseRightHandSide.col(i) = MultiplyRow(level.restriction, level.residual, i); });
+  Smooth(level, multiplyRow, solution);
+  ParallelFor(size, [&](Index i) { level.residual.col(i) -= multiplyRow(level.step, i); });
+  ParallelFor(static_cast<Index>(level.restriction.rows()),
+    [&](Index i) {
+      level.coarseRightHandSide.col(i) = MultiplySparseRow(level.restriction, level.residual, i);
+    });
   this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
-  ParallelFor(size,
-    [&](Index i) { solution.col(i) += MultiplyRow(level.prolongation, level.coarseSolution, i); });
   ParallelFor(size, [&](Index i)
-    { level.residual.col(i) = rightHandSide.col(i) - MultiplyRow(level.A, solution, i); });
-  Smooth(level, solution);
+    { solution.col(i) += MultiplySparseRow(level.prolongation, level.coarseSolution, i); });
+  ParallelFor(size,
+    [&](Index i) { level.residual.col(i) = rightHandSide.col(i) - multiplyRow(solution, i); });
+  Smooth(level, multiplyRow, solution);
 }
 
-void Multigrid::Smooth(Level& level, PackedPoints<float>& solution)
+template <typename MultiplyRow>
+void Multigrid::Smooth(Level& level, const MultiplyRow& multiplyRow, PackedPoints<float>& solution)
 {
   const float upper = level.largestEigenvalue;
   const float lower = upper / SmoothedShare;
   const float centre = (upper + lower) / 2;
   const float radius = (upper - lower) / 2;
-  const auto size = static_cast<Index>(level.A.rows());
+  const auto size = static_cast<Index>(level.inverseDiagonal.size());
   ParallelFor(size,
     [&](Index i)
     {
-      level.step.col(i) = level.inverseDiagonal[i] / centre * level.residual.col(i);
-      solution.col(i) += level.step.col(i);
+      const Row step = level.inverseDiagonal[i] / centre * level.residual.col(i);
+      level.step.col(i) = step;
+      solution.col(i) += step;
     });
   float rho = radius / centre;
   for (int degree = 1; degree < SmootherDegree; ++degree)
@@ -217,16 +288,16 @@ void Multigrid::Smooth(Level& level, PackedPoints<float>& solution)
     ParallelFor(size,
       [&](Index i)
       {
-        level.residual.col(i) -= MultiplyRow(level.A, level.step, i);
-        level.nextStep.col(i) = nextRho * rho * level.step.col(i) + 2 * nextRho / radius *
-                                                                      level.inverseDiagonal[i] *
-                                                                      level.residual.col(i);
-        solution.col(i) += level.nextStep.col(i);
+        const Row residual = level.residual.col(i) - multiplyRow(level.step, i);
+        const Row step = nextRho * rho * level.step.col(i) +
+                         2 * nextRho / radius * level.inverseDiagonal[i] * residual;
+        level.residual.col(i) = residual;
+        level.nextStep.col(i) = step;
+        solution.col(i) += step;
       });
     level.step.swap(level.nextStep);
     rho = nextRho;
   }
-  ParallelFor(size, [&](Index i) { level.residual.col(i) -= MultiplyRow(level.A, level.step, i); });
 }
 
 void Multigrid::SolveCoarsest(

@@ -8,32 +8,33 @@
 
 #include <Eigen/SparseCholesky>
 
-#include <memory>
-
 namespace lmo
 {
-/// Approximate inverse of a symmetric, diagonally dominant sparse matrix with positive diagonal:
-/// one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996), which is symmetric itself.
+/// Approximate inverse of K + R, K the stiffness matrix of a Laplacian and R a diagonal: one
+/// V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996), which is symmetric itself.
 class Multigrid
 {
 public:
-  explicit Multigrid(SparseRows matrix);
+  using Values = Eigen::Array<float, Eigen::Dynamic, 1>;
 
-  /// solution = approximately matrix^-1 rightHandSide
+  /// Keeps a reference to \a K.
+  /// \param shift the diagonal of R, >= 0
+  /// \param isFixed vertices whose values are 0
+  Multigrid(const PackedStiffness<float>& K, const Laplacian& L, Values shift, const Mask& isFixed);
+
+  /// solution = approximately (K + R)^-1 rightHandSide
   void Cycle(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
 
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
 
 private:
-  using Values = Eigen::Array<float, Eigen::Dynamic, 1>;
-
   struct Level
   {
-    SparseRows A;
-    SparseRows prolongation; ///< from the next, coarser level; empty on the coarsest
-    SparseRows restriction;  ///< its transpose
-    Values inverseDiagonal;
-    float largestEigenvalue; ///< bound for the scaled matrix
+    SparseRows A;                ///< empty on the finest level, where it is K + R
+    SparseRows prolongation;     ///< from the next, coarser level; empty on the coarsest
+    SparseRows restriction;      ///< its transpose
+    Values inverseDiagonal;      ///< 0 for unknowns that are 0
+    float largestEigenvalue = 0; ///< bound for the matrix scaled by the inverse diagonal
     PackedPoints<float> residual;
     PackedPoints<float> step;
     PackedPoints<float> nextStep;
@@ -41,14 +42,23 @@ private:
     PackedPoints<float> coarseSolution;
   };
 
-  /// Chebyshev iteration on the upper part of the spectrum; level.residual is that of \a solution
-  /// before and after.
-  static void Smooth(Level& level, PackedPoints<float>& solution);
-
+  void BuildLevels(SparseRows matrix);
   void CycleFrom(
-    std::size_t level, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+    std::size_t index, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
   void SolveCoarsest(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const;
 
+  /// The cycle with the function that multiplies a row of this level's matrix with a vector.
+  template <typename MultiplyRow>
+  void CycleWith(std::size_t index, const MultiplyRow& multiplyRow,
+    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+
+  /// Chebyshev iteration on the upper part of the spectrum.
+  /// \pre level.residual is that of \a solution.
+  template <typename MultiplyRow>
+  static void Smooth(Level& level, const MultiplyRow& multiplyRow, PackedPoints<float>& solution);
+
+  const PackedStiffness<float>& K;
+  Values Shift;
   std::vector<Level> Levels;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Coarsest;
 };

@@ -66,6 +66,7 @@ public:
 
   Index Size() const { return this->Problem.Size(); }
   const LeastSquaresProblem& GetProblem() const { return this->Problem; }
+  const PackedStiffness<Scalar>& GetStiffness() const { return this->K; }
 
   /// product = A x, for x within the motion allowed.
   /// \return the inner products of x and A x; three times their sum if the problem is coupled

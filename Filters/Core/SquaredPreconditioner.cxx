@@ -22,55 +22,47 @@ Vector PositiveRowWeights(const LeastSquaresProblem& problem)
   return Q.cwiseMax(SmallestRelativeQ * Q.maxCoeff());
 }
 
-/// K + R without the fixed vertices, which have a row of the identity.
-SparseRows ShiftedStiffness(const LeastSquaresProblem& problem, const Vector& Q)
+Mask FixedVertices(const LeastSquaresProblem& problem)
 {
-  const Laplacian& L = problem.L;
-  const AdjacencyLists& rings = *L.rings;
-  const auto isFixed = [&](Index i)
-  { return problem.motion.freedom[i] == MotionConstraints::FIXED; };
-  return MakeSparseRows(problem.Size(), problem.Size(),
-    [&](Index i, const auto& add)
+  Mask isFixed(problem.Size());
+  ParallelFor(problem.Size(),
+    [&](Index i) { isFixed[i] = problem.motion.freedom[i] == MotionConstraints::FIXED; });
+  return isFixed;
+}
+
+/// R = W_p / sqrt(Q), bounded from below so that K + R is not singular.
+Multigrid::Values Shift(const LeastSquaresProblem& problem)
+{
+  const Vector Q = PositiveRowWeights(problem);
+  Multigrid::Values shift(problem.Size());
+  ParallelFor(problem.Size(),
+    [&](Index i)
     {
-      const double sum = WeightSum(L, i);
-      if (isFixed(i) || !(sum > 0))
-      {
-        add(i, 1);
-        return;
-      }
-      const double r = problem.positionWeights[i] / std::sqrt(Q[i]);
-      add(i, static_cast<float>(std::max(r, SmallestRelativeR * sum) + sum));
-      for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-      {
-        if (!isFixed(rings.ids[k]))
-        {
-          add(rings.ids[k], static_cast<float>(L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0));
-        }
-      }
+      const double sum = WeightSum(problem.L, i);
+      const double least = sum > 0 ? SmallestRelativeR * sum : 1;
+      shift[i] = static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(Q[i]), least));
     });
+  return shift;
 }
 }
 
-SquaredPreconditioner::SquaredPreconditioner(const LeastSquaresProblem& problem)
+SquaredPreconditioner::SquaredPreconditioner(
+  const LeastSquaresProblem& problem, const PackedStiffness<float>& K)
   : Problem(problem)
   , InverseQ(PositiveRowWeights(problem).cwiseInverse().cast<float>().array())
-  , Inverse(ShiftedStiffness(problem, PositiveRowWeights(problem)))
+  , Inverse(K, problem.L, Shift(problem), FixedVertices(problem))
   , Intermediate(4, problem.Size())
   , Result(4, problem.Size())
 {
+  ParallelFor(problem.Size(),
+    [&](Index i) { this->InverseQ[i] *= problem.motion.freedom[i] != MotionConstraints::FIXED; });
 }
 
 void SquaredPreconditioner::Prepare(const PackedPoints<float>& residual)
 {
-  this->Inverse.Cycle(residual, this->Result);
-  ParallelFor(this->Problem.Size(), [&](Index i) { this->Result.col(i) *= this->InverseQ[i]; });
-  this->Inverse.Cycle(this->Result, this->Intermediate);
-  ParallelFor(this->Problem.Size(),
-    [&](Index i)
-    {
-      this->Result.col(i) = this->Problem.motion.freedom[i] == MotionConstraints::FIXED
-                              ? PackedRow<float>(PackedRow<float>::Zero())
-                              : PackedRow<float>(this->Intermediate.col(i));
-    });
+  this->Inverse.Cycle(residual, this->Intermediate);
+  ParallelFor(
+    this->Problem.Size(), [&](Index i) { this->Intermediate.col(i) *= this->InverseQ[i]; });
+  this->Inverse.Cycle(this->Intermediate, this->Result);
 }
 }

@@ -9,14 +9,14 @@ namespace lmo
 {
 /// M = (K + R) Q (K + R) with R = W_p / sqrt(Q): the square of a second-order operator, close to
 /// A = K Q K + W_p^2 however different in size its two terms are. (K + R)^-1 is one multigrid
-/// cycle; negative edge weights count as 0 in K. The couplings of x, y and z are left to the
-/// iteration.
+/// cycle. The couplings of x, y and z are left to the iteration.
 class SquaredPreconditioner
 {
 public:
   static constexpr bool IsRowWise = false;
 
-  explicit SquaredPreconditioner(const LeastSquaresProblem& problem);
+  /// Keeps references to the arguments.
+  SquaredPreconditioner(const LeastSquaresProblem& problem, const PackedStiffness<float>& K);
 
   /// Computes M^-1 residual.
   void Prepare(const PackedPoints<float>& residual);
@@ -25,8 +25,8 @@ public:
 
 private:
   const LeastSquaresProblem& Problem;
-  Eigen::Array<float, Eigen::Dynamic, 1> InverseQ;
-  Multigrid Inverse; ///< of K + R
+  Multigrid::Values InverseQ; ///< 0 at fixed vertices
+  Multigrid Inverse;          ///< of K + R
   PackedPoints<float> Intermediate;
   PackedPoints<float> Result;
 };
