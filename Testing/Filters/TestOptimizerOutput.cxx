@@ -156,6 +156,7 @@ void CheckFlips(Checks& c)
     {
       filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS);
       filter->SetPositionWeighting(Optimizer::ARRAY);
+      filter->SetSolverType(Optimizer::DIRECT);
       filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0, 0, "f");
       filter->SetInputArrayToProcess(Optimizer::POSITION_WEIGHT_ARRAY, 0, 0, 0, "free");
     });
