@@ -3,7 +3,7 @@
 #ifndef lmo_Parallel_h
 #define lmo_Parallel_h
 
-#include "Types.h"
+#include "ThreadTeam.h"
 
 #include "vtkSMPTools.h"
 
@@ -14,6 +14,26 @@ namespace lmo
 /// Length of the partial sums of ParallelSum(), and the least work that is worth a thread.
 constexpr Index ParallelBlock = 2048;
 
+/// Calls body(k) for every k in [0, count), in any order and on several threads, on those that
+/// vtkSMPTools provides.
+template <typename Body>
+void ParallelTasks(Index count, const Body& body)
+{
+  if (ThreadTeam* team = count > 1 ? ThreadTeam::Current() : nullptr)
+  {
+    team->Run(count, body);
+    return;
+  }
+  vtkSMPTools::For(0, count, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto k = static_cast<Index>(begin); k < end; ++k)
+      {
+        body(k);
+      }
+    });
+}
+
 /// Calls body(begin, end) for ranges that cover [0, count), in any order and on several threads.
 /// Every begin is a multiple of ParallelBlock.
 template <typename Body>
@@ -21,13 +41,16 @@ void ParallelRanges(Index count, const Body& body)
 {
   const Index blocks = count / ParallelBlock + (count % ParallelBlock != 0);
   // Four ranges for each thread even out their speeds; more would cost in overhead.
-  const Index ranges = 4 * vtkSMPTools::GetEstimatedNumberOfThreads();
-  vtkSMPTools::For(0, blocks, std::max<Index>(4, blocks / ranges),
-    [&](vtkIdType firstBlock, vtkIdType lastBlock)
+  const Index ranges = std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  ParallelTasks(ranges,
+    [&](Index range)
     {
-      const std::int64_t begin = firstBlock * ParallelBlock;
-      const std::int64_t end = std::min<std::int64_t>(count, lastBlock * ParallelBlock);
-      body(static_cast<Index>(begin), static_cast<Index>(end));
+      const auto bound = [&](Index k)
+      {
+        const std::int64_t block = std::int64_t(blocks) * k / ranges;
+        return static_cast<Index>(std::min<std::int64_t>(count, block * ParallelBlock));
+      };
+      body(bound(range), bound(range + 1));
     });
 }
 
@@ -81,21 +104,11 @@ void ParallelSort(Iterator begin, Iterator end)
   const Index parts = 4;
   const auto count = end - begin;
   const auto bound = [&](Index part) { return begin + count * part / parts; };
-  vtkSMPTools::For(0, parts, 1,
-    [&](vtkIdType first, vtkIdType last)
+  ParallelTasks(parts, [&](Index part) { std::sort(bound(part), bound(part + 1)); });
+  ParallelTasks(2,
+    [&](Index half)
     {
-      for (auto part = static_cast<Index>(first); part < last; ++part)
-      {
-        std::sort(bound(part), bound(part + 1));
-      }
-    });
-  vtkSMPTools::For(0, 2, 1,
-    [&](vtkIdType first, vtkIdType last)
-    {
-      for (auto half = static_cast<Index>(first); half < last; ++half)
-      {
-        std::inplace_merge(bound(2 * half), bound(2 * half + 1), bound(2 * half + 2));
-      }
+      std::inplace_merge(bound(2 * half), bound(2 * half + 1), bound(2 * half + 2));
     });
   std::inplace_merge(begin, bound(2), end);
 }

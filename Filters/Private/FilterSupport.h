@@ -4,6 +4,7 @@
 #define FilterSupport_h
 
 #include "../Core/Monitor.h"
+#include "../Core/ThreadTeam.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -53,19 +54,29 @@ private:
   double Shown = -1;
 };
 
-/// Lets vtkSMPTools use all processors within body(), unless the user chose how vtkSMPTools runs.
-/// VTK's default backend is often the sequential one.
+/// Calls body() with the threads that vtkSMPTools provides: as the user chose, otherwise one for each
+/// processor; VTK's default backend is often the sequential one.
 template <typename Body>
 void RunOnThreads(const Body& body)
 {
+  const auto run = [&body]
+  {
+    if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+    {
+      const ThreadTeam team(vtkSMPTools::GetEstimatedNumberOfThreads());
+      body();
+      return;
+    }
+    body();
+  };
   const bool isChosen = std::getenv("VTK_SMP_BACKEND_IN_USE") ||
-                        std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
+    std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
   if (isChosen)
   {
-    body();
+    run();
     return;
   }
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, body);
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, run);
 }
 
 /// RequestData() of all filters: calls body() on threads, unless \a input is null as that of a

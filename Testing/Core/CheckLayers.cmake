@@ -7,6 +7,7 @@ set(layers
   Types
   Exceptions
   Monitor
+  ThreadTeam
   Parallel
   MeshTopology
   VertexOrder
