@@ -19,9 +19,10 @@ struct SolverOptions
 
 struct Solution
 {
-  Points displacement;         ///< d = V' - V
-  Index iterations = 0;        ///< 0 from a direct solver
-  double relativeResidual = 0; ///< |b - A d| / |b|, computed from the problem and d
+  Points displacement;          ///< d = V' - V
+  Index iterations = 0;         ///< 0 from a direct solver
+  double rightHandSideNorm = 0; ///< |b|
+  double relativeResidual = 0;  ///< |b - A d| / |b|, computed from the problem and d
 };
 
 /// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
@@ -39,10 +40,8 @@ public:
 
   /// Improves \a solution until it meets the tolerance, the iterations are used up or the precision
   /// of Scalar allows no progress.
-  /// \param rightHandSideNorm |b|, > 0
   /// \throw Cancelled if the monitor says so; it is asked in every iteration.
-  void Run(
-    double rightHandSideNorm, const SolverOptions& options, Monitor& monitor, Solution& solution);
+  void Run(const SolverOptions& options, Monitor& monitor, Solution& solution);
 
 private:
   using Row = PackedRow<Scalar>;
@@ -51,8 +50,11 @@ private:
   static constexpr double ReplacementRatio = 1e-3;
 
   /// Computes the residual of d and its inner product with M^-1 r.
-  /// \return its norm
+  /// \return its norm relative to |b|
   double ReplaceResidual(const Points& d);
+
+  /// r M^-1 r
+  Dots ResidualDots();
 
   /// r -= alpha A p
   /// \return the norm of r

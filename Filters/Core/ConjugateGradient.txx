@@ -29,11 +29,15 @@ ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(
 
 template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::Run(
-  double rightHandSideNorm, const SolverOptions& options, Monitor& monitor, Solution& solution)
+  const SolverOptions& options, Monitor& monitor, Solution& solution)
 {
-  this->Scale = rightHandSideNorm;
-  this->Direction.setZero();
-  this->Steps.setZero();
+  this->Scale = solution.rightHandSideNorm;
+  ParallelFor(this->Problem.Size(),
+    [&](Index i)
+    {
+      this->Direction.col(i).setZero();
+      this->Steps.col(i).setZero();
+    });
   double exactNorm = this->ReplaceResidual(solution.displacement);
   this->UpdateDirection(Dots::Zero());
   while (exactNorm > options.tolerance && solution.iterations < options.maximumIterations)
@@ -63,21 +67,28 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
 template <typename Scalar, typename Preconditioner>
 double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d)
 {
-  const Points exact = lmo::Residual(this->Problem, d);
-  ParallelFor(this->Problem.Size(),
-    [&](Index i)
+  const double unit = 1 / this->Scale;
+  const double norm = ComputeResidual(this->Problem, d,
+    [&](Index i, const Vector3& residual)
     {
-      const Eigen::Array3d row = exact.row(i).transpose().array() / this->Scale;
-      this->Residual.col(i) << row.template cast<Scalar>(), Scalar(0);
+      const Vector3 scaled = unit * residual;
+      this->Residual.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
     });
   this->M.Prepare(this->Residual);
-  this->Rho = this->Couple(ParallelSum(this->Problem.Size(), Dots(Dots::Zero()),
-    [&](Dots& dots, Index i)
+  this->Rho = this->ResidualDots();
+  return norm * unit;
+}
+
+template <typename Scalar, typename Preconditioner>
+Dots ConjugateGradient<Scalar, Preconditioner>::ResidualDots()
+{
+  const DotSum sum = ParallelSum(this->Problem.Size(), DotSum(),
+    [&](DotSum& dots, Index i)
     {
       const Row r = this->Residual.col(i);
-      dots += (r * this->M.Row(i, r)).template cast<double>();
-    }));
-  return Norm(exact) / this->Scale;
+      dots.Add(Row(r * this->M.Row(i, r)));
+    });
+  return this->Couple(sum.Get());
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -85,39 +96,36 @@ double ConjugateGradient<Scalar, Preconditioner>::UpdateResidual()
 {
   struct Sums
   {
-    Dots rho = Dots::Zero();
-    double square = 0;
+    DotSum rho;
+    DotSum squares;
     void operator+=(const Sums& other)
     {
       this->rho += other.rho;
-      this->square += other.square;
+      this->squares += other.squares;
     }
   };
   const Row alpha = this->Alpha.template cast<Scalar>();
-  constexpr bool isRowWise = Preconditioner::IsRowWise;
-  Sums sums = ParallelSum(this->Problem.Size(), Sums(),
+  const Sums sums = ParallelSum(this->Problem.Size(), Sums(),
     [&](Sums& sum, Index i)
     {
       const Row r = this->Residual.col(i) - alpha * this->Product.col(i);
       this->Residual.col(i) = r;
-      sum.square += r.square().sum();
-      if (isRowWise)
+      sum.squares.Add(Row(r * r));
+      if (Preconditioner::IsRowWise)
       {
-        sum.rho += (r * this->M.Row(i, r)).template cast<double>();
+        sum.rho.Add(Row(r * this->M.Row(i, r)));
       }
     });
-  if (!isRowWise)
+  if (Preconditioner::IsRowWise)
+  {
+    this->Rho = this->Couple(sums.rho.Get());
+  }
+  else
   {
     this->M.Prepare(this->Residual);
-    sums.rho = ParallelSum(this->Problem.Size(), Dots(Dots::Zero()),
-      [&](Dots& dots, Index i)
-      {
-        const Row r = this->Residual.col(i);
-        dots += (r * this->M.Row(i, r)).template cast<double>();
-      });
+    this->Rho = this->ResidualDots();
   }
-  this->Rho = this->Couple(sums.rho);
-  return std::sqrt(sums.square);
+  return std::sqrt(sums.squares.Get().sum());
 }
 
 template <typename Scalar, typename Preconditioner>

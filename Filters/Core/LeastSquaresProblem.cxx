@@ -4,36 +4,8 @@
 
 #include "Parallel.h"
 
-#include <cmath>
-
 namespace lmo
 {
-namespace
-{
-/// Adds weight^2 times the transpose of a line row times its residual.
-void AddLineRow(const LineRow& row, const Points& d, Points& residual)
-{
-  const Vector3 rowValue = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
-  const Vector3 force = row.weight * row.weight * (row.target - rowValue);
-  residual.row(row.previous) += 0.5 * force;
-  residual.row(row.next) += 0.5 * force;
-  residual.row(row.vertex) -= force;
-}
-
-Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i)
-{
-  const double weight = problem.positionWeights[i];
-  Vector3 force = -weight * weight * d.row(i);
-  if (problem.tangentPlaneNormals.rows() > 0)
-  {
-    const Vector3 normal = problem.tangentPlaneNormals.row(i);
-    const double w = problem.tangentPlaneWeight;
-    force -= w * w * normal.dot(d.row(i)) * normal;
-  }
-  return force;
-}
-}
-
 Vector Diagonal(const LeastSquaresProblem& problem)
 {
   const Laplacian& L = problem.L;
@@ -61,9 +33,8 @@ Vector Diagonal(const LeastSquaresProblem& problem)
   return (diagonal.array() > 0).select(diagonal, 1.0);
 }
 
-Points Residual(const LeastSquaresProblem& problem, const Points& d)
+Points WeightedRows(const LeastSquaresProblem& problem, const Points& d)
 {
-  // L^T W_L^2 (c - L d) with L = -G K is -K y, y = G W_L^2 c + Q K d.
   const Laplacian& L = problem.L;
   Points y(problem.Size(), 3);
   ParallelFor(problem.Size(),
@@ -73,21 +44,40 @@ Points Residual(const LeastSquaresProblem& problem, const Points& d)
       y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i) +
                  RowWeight(problem, i) * StiffnessRow(L, d, i);
     });
-  Points residual(problem.Size(), 3);
-  ParallelFor(problem.Size(),
-    [&](Index i) { residual.row(i) = PositionForce(problem, d, i) - StiffnessRow(L, y, i); });
-  for (const LineRow& row : problem.lineRows)
-  {
-    AddLineRow(row, d, residual);
-  }
-  ParallelFor(
-    problem.Size(), [&](Index i) { residual.row(i) = problem.motion.Project(i, residual.row(i)); });
-  return residual;
+  return y;
 }
 
-double Norm(const Points& x)
+Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i)
 {
-  return std::sqrt(ParallelSum(static_cast<Index>(x.rows()), 0.0,
-    [&](double& sum, Index i) { sum += x.row(i).squaredNorm(); }));
+  const double weight = problem.positionWeights[i];
+  Vector3 force = -weight * weight * d.row(i);
+  if (problem.tangentPlaneNormals.rows() > 0)
+  {
+    const Vector3 normal = problem.tangentPlaneNormals.row(i);
+    const double w = problem.tangentPlaneWeight;
+    force -= w * w * normal.dot(d.row(i)) * normal;
+  }
+  return force;
+}
+
+Points LineForces(const LeastSquaresProblem& problem, const Points& d)
+{
+  Points forces = Points::Zero(problem.lineRows.empty() ? 0 : problem.Size(), 3);
+  for (const LineRow& row : problem.lineRows)
+  {
+    const Vector3 rowValue = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
+    const Vector3 force = row.weight * row.weight * (row.target - rowValue);
+    forces.row(row.previous) += 0.5 * force;
+    forces.row(row.next) += 0.5 * force;
+    forces.row(row.vertex) -= force;
+  }
+  return forces;
+}
+
+Points Residual(const LeastSquaresProblem& problem, const Points& d)
+{
+  Points residual(problem.Size(), 3);
+  ComputeResidual(problem, d, [&](Index i, const Vector3& value) { residual.row(i) = value; });
+  return residual;
 }
 }

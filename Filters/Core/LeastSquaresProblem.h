@@ -82,10 +82,24 @@ Vector Diagonal(const LeastSquaresProblem& problem);
 /// b - A d, the residual of the normal equations within the motion allowed. The matrix
 /// A = K Q K + line rows + W_p^2 + w^2 n n^T is applied, never formed; b = L^T W_L^2 c is the
 /// residual of d = 0.
+/// \param store called once for each vertex, on several threads, as store(i, residual of i)
+/// \return its norm, the same for any number of threads
+template <typename Store>
+double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, const Store& store);
+
+/// What ComputeResidual() computes, one row per vertex.
 Points Residual(const LeastSquaresProblem& problem, const Points& d);
 
-/// Square root of the sum of squares, the same for any number of threads.
-double Norm(const Points& x);
+/// The rows y = G W_L^2 c + Q K d, with which L^T W_L^2 (c - L d) is -K y.
+Points WeightedRows(const LeastSquaresProblem& problem, const Points& d);
+
+/// Part of the residual at vertex i that the other rows give: positions and tangent planes.
+Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i);
+
+/// Part of the residual that the line rows give; no rows if there are none.
+Points LineForces(const LeastSquaresProblem& problem, const Points& d);
 }
+
+#include "LeastSquaresProblem.txx"
 
 #endif

@@ -8,10 +8,9 @@ namespace lmo
 {
 namespace
 {
-/// |b - A d| / |b|
-double RelativeResidual(const LeastSquaresProblem& problem, double bNorm, const Points& d)
+double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)
 {
-  return Norm(Residual(problem, d)) / bNorm;
+  return ComputeResidual(problem, d, [](Index, const Vector3&) {});
 }
 
 bool IsSolved(const Solution& solution, const SolverOptions& options)
@@ -21,13 +20,13 @@ bool IsSolved(const Solution& solution, const SolverOptions& options)
 
 /// Goes on from the solution so far.
 template <typename Scalar>
-void Iterate(const LeastSquaresProblem& problem, double bNorm, const SolverOptions& options,
-  Monitor& monitor, Solution& solution)
+void Iterate(const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor,
+  Solution& solution)
 {
   PackedEquations<Scalar> A(problem);
   JacobiPreconditioner<Scalar> M(problem);
   ConjugateGradient<Scalar, JacobiPreconditioner<Scalar>>(problem, A, M)
-    .Run(bNorm, options, monitor, solution);
+    .Run(options, monitor, solution);
   if (!solution.displacement.allFinite())
   {
     solution.displacement.setZero();
@@ -37,12 +36,12 @@ void Iterate(const LeastSquaresProblem& problem, double bNorm, const SolverOptio
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
 /// the caller sees its residual.
-void ImproveDirectly(const LeastSquaresProblem& problem, double bNorm, Solution& solution)
+void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 {
   try
   {
     Points direct = SolveDirectly(problem);
-    const double residual = RelativeResidual(problem, bNorm, direct);
+    const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
     if (residual < solution.relativeResidual)
     {
       solution.displacement = std::move(direct);
@@ -60,8 +59,8 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
 {
   Solution solution;
   solution.displacement = Points::Zero(problem.Size(), 3);
-  const double bNorm = Norm(Residual(problem, solution.displacement));
-  if (!(bNorm > 0))
+  solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
+  if (!(solution.rightHandSideNorm > 0))
   {
     return solution;
   }
@@ -69,18 +68,19 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     monitor.Report(0);
     solution.displacement = SolveDirectly(problem);
-    solution.relativeResidual = RelativeResidual(problem, bNorm, solution.displacement);
+    solution.relativeResidual =
+      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
     return solution;
   }
   solution.relativeResidual = 1;
-  Iterate<float>(problem, bNorm, options, monitor, solution);
+  Iterate<float>(problem, options, monitor, solution);
   if (!IsSolved(solution, options) && solution.iterations < options.maximumIterations)
   {
-    Iterate<double>(problem, bNorm, options, monitor, solution);
+    Iterate<double>(problem, options, monitor, solution);
   }
   if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
   {
-    ImproveDirectly(problem, bNorm, solution);
+    ImproveDirectly(problem, solution);
   }
   return solution;
 }

@@ -3,7 +3,7 @@
 #ifndef lmo_Multigrid_h
 #define lmo_Multigrid_h
 
-#include "PackedEquations.h"
+#include "PackedStiffness.h"
 #include "SparseProduct.h"
 
 #include <Eigen/SparseCholesky>

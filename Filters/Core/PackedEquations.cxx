@@ -7,30 +7,6 @@
 namespace lmo
 {
 template <typename Scalar>
-PackedStiffness<Scalar>::PackedStiffness(const Laplacian& L)
-  : L(L)
-{
-  const AdjacencyLists& rings = *L.rings;
-  const auto rows = static_cast<Index>(rings.offsets.size()) - 1;
-  this->Neighbours.resize(Slots, rows);
-  this->Weights.resize(Slots, L.edgeWeights ? rows : 0);
-  ParallelFor(rows,
-    [&](Index i)
-    {
-      const Index used = std::min<Index>(rings.Size(i), Slots);
-      for (Index slot = 0; slot < Slots; ++slot)
-      {
-        this->Neighbours(slot, i) = slot < used ? rings.Begin(i)[slot] : i;
-        if (L.edgeWeights)
-        {
-          this->Weights(slot, i) =
-            slot < used ? Scalar((*L.edgeWeights)[rings.offsets[i] + slot]) : Scalar(0);
-        }
-      }
-    });
-}
-
-template <typename Scalar>
 PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
   : Problem(problem)
   , K(problem.L)
@@ -62,8 +38,8 @@ Dots PackedEquations<Scalar>::MultiplyWeighted(
 {
   ParallelFor(this->Size(),
     [&](Index i) { this->RowValues.col(i) = this->Q[i] * this->K.template Row<Weighted>(x, i); });
-  return ParallelSum(this->Size(), Dots(Dots::Zero()),
-    [&](Dots& dots, Index i)
+  return ParallelSum(this->Size(), DotSum(),
+    [&](DotSum& dots, Index i)
     {
       PackedRow<Scalar> row = this->K.template Row<Weighted>(this->RowValues, i) +
                               this->SquaredPositionWeights[i] * x.col(i);
@@ -72,8 +48,9 @@ Dots PackedEquations<Scalar>::MultiplyWeighted(
         row.setZero();
       }
       product.col(i) = row;
-      dots += (row * x.col(i)).template cast<double>();
-    });
+      dots.Add(PackedRow<Scalar>(row * x.col(i)));
+    })
+    .Get();
 }
 
 template <typename Scalar>
@@ -108,8 +85,6 @@ Dots PackedEquations<Scalar>::FinishCoupled(
   return Dots(dot, dot, dot, 0);
 }
 
-template class PackedStiffness<float>;
-template class PackedStiffness<double>;
 template class PackedEquations<float>;
 template class PackedEquations<double>;
 }

@@ -4,55 +4,36 @@
 #define lmo_PackedEquations_h
 
 #include "LeastSquaresProblem.h"
+#include "PackedStiffness.h"
 
 namespace lmo
 {
-/// A row (x, y, z, 0) per vertex, which the processor handles as one unit.
-template <typename Scalar>
-using PackedPoints = Eigen::Array<Scalar, 4, Eigen::Dynamic>;
-
-template <typename Scalar>
-using PackedRow = Eigen::Array<Scalar, 4, 1>;
-
-/// An inner product each for x, y and z; the fourth is 0.
+/// Inner products of the columns x, y and z; the fourth is 0.
 using Dots = Eigen::Array4d;
 
-/// K = E - S with the first neighbours of each vertex in slots of fixed number: no branch depends
-/// on the valence, which the processor could not predict. An unused slot names the vertex itself.
-template <typename Scalar>
-class PackedStiffness
+/// Sums inner products; plain numbers stay in registers.
+struct DotSum
 {
-public:
-  explicit PackedStiffness(const Laplacian& L);
+  double x = 0;
+  double y = 0;
+  double z = 0;
 
-  bool IsWeighted() const { return this->Weights.cols() > 0; }
-
-  /// Row i of K x.
-  template <bool Weighted>
-  PackedRow<Scalar> Row(const PackedPoints<Scalar>& x, Index i) const
+  template <typename Row>
+  void Add(const Row& products)
   {
-    const PackedRow<Scalar> centre = x.col(i);
-    PackedRow<Scalar> sum = PackedRow<Scalar>::Zero();
-    for (int slot = 0; slot < Slots; ++slot)
-    {
-      const PackedRow<Scalar> difference = centre - x.col(this->Neighbours(slot, i));
-      sum += Weighted ? PackedRow<Scalar>(this->Weights(slot, i) * difference) : difference;
-    }
-    const AdjacencyLists& rings = *this->L.rings;
-    for (Index k = rings.offsets[i] + Slots; k < rings.offsets[i + 1]; ++k)
-    {
-      const Scalar weight = Weighted ? Scalar((*this->L.edgeWeights)[k]) : Scalar(1);
-      sum += weight * (centre - x.col(rings.ids[k]));
-    }
-    return sum;
+    this->x += products[0];
+    this->y += products[1];
+    this->z += products[2];
   }
 
-private:
-  static constexpr int Slots = 8;
+  void operator+=(const DotSum& other)
+  {
+    this->x += other.x;
+    this->y += other.y;
+    this->z += other.z;
+  }
 
-  const Laplacian& L;
-  Eigen::Array<Index, Slots, Eigen::Dynamic> Neighbours;
-  Eigen::Array<Scalar, Slots, Eigen::Dynamic> Weights; ///< no columns if all are 1
+  Dots Get() const { return Dots(this->x, this->y, this->z, 0); }
 };
 
 /// The matrix A of a problem's normal equations, stored for speed. In single precision it serves to
@@ -86,8 +67,6 @@ private:
   PackedPoints<Scalar> RowValues;
 };
 
-extern template class PackedStiffness<float>;
-extern template class PackedStiffness<double>;
 extern template class PackedEquations<float>;
 extern template class PackedEquations<double>;
 }

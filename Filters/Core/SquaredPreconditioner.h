@@ -3,6 +3,7 @@
 #ifndef lmo_SquaredPreconditioner_h
 #define lmo_SquaredPreconditioner_h
 
+#include "LeastSquaresProblem.h"
 #include "Multigrid.h"
 
 namespace lmo

@@ -10,9 +10,9 @@
 
 namespace lmo
 {
-/// Threads that stay ready between parallel loops. vtkSMPTools' STDThread backend starts its threads
-/// anew for each loop, which costs as much as an iteration of the solver on 50,000 vertices; it still
-/// says how many threads there are. A thread without work sleeps.
+/// Threads that stay ready between parallel loops. vtkSMPTools' STDThread backend starts its
+/// threads anew for each loop, which costs as much as an iteration of the solver on 50,000
+/// vertices; it still says how many threads there are. A thread without work sleeps.
 class ThreadTeam
 {
 public:

@@ -21,6 +21,7 @@ set(layers
   SurfaceSampler
   SurfaceComparison
   LeastSquaresProblem
+  PackedStiffness
   PackedEquations
   Preconditioner
   SparseProduct
