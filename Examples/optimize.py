@@ -155,7 +155,7 @@ def show_surface(view, source, title):
 def show_histogram(view, source, tallest):
     histogram = Histogram(Input=source, SelectInputArray=['CELLS', 'RadiusRatio'], BinCount=BINS,
                           UseCustomBinRanges=1, CustomBinRanges=[0, 1])
-    Show(histogram, view)
+    Show(histogram, view).SeriesColor = ['bin_values', '0.2', '0.4', '0.7']
     view.BottomAxisTitle, view.LeftAxisTitle = 'radius ratio', 'triangles'
     view.LeftAxisUseCustomRange, view.LeftAxisRangeMaximum = 1, tallest
     view.ShowLegend = 0
