@@ -1,4 +1,22 @@
-# Sourced by the scripts: install_packages PACKAGE... installs what is missing, on Debian and Ubuntu.
+# Sourced by the scripts.
+
+# quietly COMMAND...: shows the command's output only if it fails.
+quietly() {
+  local log
+  log=$(mktemp)
+  if ! "$@" >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    return 1
+  fi
+  rm -f "$log"
+}
+
+as_root() {
+  if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
+}
+
+# install_packages PACKAGE...: installs what is missing, on Debian and Ubuntu.
 install_packages() {
   local missing=()
   local package
@@ -7,19 +25,9 @@ install_packages() {
   done
   [ ${#missing[@]} -eq 0 ] && return
   echo "Installing ${#missing[@]} packages: ${missing[*]}"
-  local root=()
-  [ "$(id -u)" -eq 0 ] || root=(sudo)
-  local log
-  log=$(mktemp)
-  if ! { "${root[@]}" apt-get update -qq &&
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -y -qq --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
-    cat "$log" >&2
-    rm -f "$log"
-    echo "The packages could not be installed." >&2
-    exit 1
-  fi
-  rm -f "$log"
+  quietly as_root apt-get update -qq
+  quietly as_root env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
 # What a build against ParaView needs, what running it without a screen needs, and what the tests need.

@@ -10,8 +10,9 @@ prefix="$build_dir/vtk"
 install_packages "${build_packages[@]}" libtbb-dev
 if [ ! -e "$prefix/usr" ]; then
   mkdir -p "$prefix" "$build_dir/packages"
+  quietly as_root apt-get update -qq
   (cd "$build_dir/packages" &&
-    apt-get download -qq libvtk9-dev libvtk9.1 python3-vtk9 vtk9 libvtk9-java >/dev/null 2>&1)
+    quietly apt-get download -qq libvtk9-dev libvtk9.1 python3-vtk9 vtk9 libvtk9-java)
   for package in "$build_dir"/packages/*.deb; do
     dpkg -x "$package" "$prefix"
   done
