@@ -17,7 +17,7 @@ if [ ! -e "$prefix/usr" ]; then
     dpkg -x "$package" "$prefix"
   done
 fi
-triplet=$(dpkg-architecture -qDEB_HOST_MULTIARCH)
+triplet=$(gcc -dumpmachine)
 export LD_LIBRARY_PATH="$prefix/usr/lib/$triplet"
 export PYTHONPATH="$prefix/usr/lib/python3/dist-packages"
 
