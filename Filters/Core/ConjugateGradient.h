@@ -20,10 +20,17 @@ struct SolverOptions
 struct Solution
 {
   Points displacement;          ///< d = V' - V
+  Points residual;              ///< b - A d
   Index iterations = 0;         ///< 0 from a direct solver
   double rightHandSideNorm = 0; ///< |b|
-  double relativeResidual = 0;  ///< |b - A d| / |b|, computed from the problem and d
+  double relativeResidual = 0;  ///< |b - A d| / |b|
 };
+
+/// The solution d = 0.
+Solution Start(const LeastSquaresProblem& problem);
+
+/// Sets the residual that belongs to the displacement, computed from the problem.
+void UpdateResidual(const LeastSquaresProblem& problem, Solution& solution);
 
 /// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
 /// lengths of their own and share the stopping test. Search directions have the precision of
@@ -38,10 +45,11 @@ public:
   ConjugateGradient(
     const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M);
 
-  /// Improves \a solution until it meets the tolerance, the iterations are used up or the precision
-  /// of Scalar allows no progress.
-  /// \throw Cancelled if the monitor says so; it is asked in every iteration.
-  void Run(const SolverOptions& options, Monitor& monitor, Solution& solution);
+  /// Improves \a solution, whose residual must be up to date, until it meets the tolerance, the
+  /// iterations are used up or the precision of Scalar allows no progress. \param affordable number
+  /// of iterations; gives up before if it will clearly take more \throw Cancelled if the monitor
+  /// says so; it is asked in every iteration.
+  void Run(const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution);
 
 private:
   using Row = PackedRow<Scalar>;
@@ -49,16 +57,18 @@ private:
   /// A residual this much smaller than the last one computed in double is computed anew.
   static constexpr double ReplacementRatio = 1e-3;
 
-  /// Computes the residual of d and its inner product with M^-1 r.
-  /// \return its norm relative to |b|
-  double ReplaceResidual(const Points& d);
+  /// Iterations before their number is predicted.
+  static constexpr Index TrialIterations = 30;
+
+  /// Takes over the residual of \a solution.
+  void Pack(const Solution& solution);
 
   /// r M^-1 r
   Dots ResidualDots();
 
   /// r -= alpha A p
   /// \return the norm of r
-  double UpdateResidual();
+  double StepResidual();
 
   /// d += the steps since the last call
   void Collect(Points& d);

@@ -5,6 +5,8 @@
 
 #include "Parallel.h"
 
+#include <utility>
+
 namespace lmo
 {
 /// a / b; 0 for a coordinate that has converged.
@@ -29,70 +31,76 @@ ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(
 
 template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::Run(
-  const SolverOptions& options, Monitor& monitor, Solution& solution)
+  const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
 {
+  const double startingNorm = solution.relativeResidual;
+  const Index startingIteration = solution.iterations;
   this->Scale = solution.rightHandSideNorm;
   ParallelFor(this->Problem.Size(),
-    [&](Index i)
+    [direction = View(this->Direction), steps = View(this->Steps)](Index i) mutable
     {
-      this->Direction.col(i).setZero();
-      this->Steps.col(i).setZero();
+      direction.col(i).setZero();
+      steps.col(i).setZero();
     });
-  double exactNorm = this->ReplaceResidual(solution.displacement);
+  this->Pack(solution);
   this->UpdateDirection(Dots::Zero());
-  while (exactNorm > options.tolerance && solution.iterations < options.maximumIterations)
+  while (solution.relativeResidual > options.tolerance &&
+         solution.iterations < options.maximumIterations)
   {
     this->Alpha = DivideDots(this->Rho, this->A.Multiply(this->Direction, this->Product));
     const Dots oldRho = this->Rho;
-    const double norm = this->UpdateResidual();
+    const double norm = this->StepResidual();
     ++solution.iterations;
     monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
+    const Index done = solution.iterations - startingIteration;
+    const bool isHopeless =
+      done >= TrialIterations && done * std::log(options.tolerance / startingNorm) <
+                                   affordable * std::log(norm / startingNorm);
     const bool isLast = solution.iterations == options.maximumIterations ||
-                        !(this->Alpha > 0).any() || !(norm > options.tolerance);
-    if (isLast || norm < ReplacementRatio * exactNorm)
+                        !(this->Alpha > 0).any() || !(norm > options.tolerance) || isHopeless;
+    if (isLast || norm < ReplacementRatio * solution.relativeResidual)
     {
-      const double oldExactNorm = exactNorm;
+      const double old = solution.relativeResidual;
       this->Collect(solution.displacement);
-      exactNorm = this->ReplaceResidual(solution.displacement);
-      if (!(exactNorm < oldExactNorm / 2))
+      UpdateResidual(this->Problem, solution);
+      this->Pack(solution);
+      if (isHopeless || !(solution.relativeResidual < old / 2))
       {
         break;
       }
     }
     this->UpdateDirection(DivideDots(this->Rho, oldRho));
   }
-  solution.relativeResidual = exactNorm;
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d)
+void ConjugateGradient<Scalar, Preconditioner>::Pack(const Solution& solution)
 {
   const double unit = 1 / this->Scale;
-  const double norm = ComputeResidual(this->Problem, d,
-    [&](Index i, const Vector3& residual)
+  ParallelFor(this->Problem.Size(),
+    [&, packed = View(this->Residual)](Index i) mutable
     {
-      const Vector3 scaled = unit * residual;
-      this->Residual.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
+      const Vector3 scaled = unit * solution.residual.row(i);
+      packed.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
     });
   this->M.Prepare(this->Residual);
   this->Rho = this->ResidualDots();
-  return norm * unit;
 }
 
 template <typename Scalar, typename Preconditioner>
 Dots ConjugateGradient<Scalar, Preconditioner>::ResidualDots()
 {
   const DotSum sum = ParallelSum(this->Problem.Size(), DotSum(),
-    [&](DotSum& dots, Index i)
+    [residual = View(std::as_const(this->Residual)), M = this->M.GetRows()](DotSum& dots, Index i)
     {
-      const Row r = this->Residual.col(i);
-      dots.Add(Row(r * this->M.Row(i, r)));
+      const Row r = residual.col(i);
+      dots.Add(Row(r * M(i, r)));
     });
   return this->Couple(sum.Get());
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::UpdateResidual()
+double ConjugateGradient<Scalar, Preconditioner>::StepResidual()
 {
   struct Sums
   {
@@ -104,16 +112,17 @@ double ConjugateGradient<Scalar, Preconditioner>::UpdateResidual()
       this->squares += other.squares;
     }
   };
-  const Row alpha = this->Alpha.template cast<Scalar>();
   const Sums sums = ParallelSum(this->Problem.Size(), Sums(),
-    [&](Sums& sum, Index i)
+    [residual = View(this->Residual), product = View(std::as_const(this->Product)),
+      M = this->M.GetRows(),
+      alpha = Row(this->Alpha.template cast<Scalar>())](Sums& sum, Index i) mutable
     {
-      const Row r = this->Residual.col(i) - alpha * this->Product.col(i);
-      this->Residual.col(i) = r;
+      const Row r = residual.col(i) - alpha * product.col(i);
+      residual.col(i) = r;
       sum.squares.Add(Row(r * r));
       if (Preconditioner::IsRowWise)
       {
-        sum.rho.Add(Row(r * this->M.Row(i, r)));
+        sum.rho.Add(Row(r * M(i, r)));
       }
     });
   if (Preconditioner::IsRowWise)
@@ -146,14 +155,15 @@ void ConjugateGradient<Scalar, Preconditioner>::Collect(Points& d)
 template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::UpdateDirection(const Dots& betas)
 {
-  const Row alpha = this->Alpha.template cast<Scalar>();
-  const Row beta = betas.template cast<Scalar>();
   ParallelFor(this->Problem.Size(),
-    [&](Index i)
+    [residual = View(std::as_const(this->Residual)), direction = View(this->Direction),
+      steps = View(this->Steps), M = this->M.GetRows(),
+      alpha = Row(this->Alpha.template cast<Scalar>()),
+      beta = Row(betas.template cast<Scalar>())](Index i) mutable
     {
-      const Row p = this->Direction.col(i);
-      this->Steps.col(i) += alpha * p;
-      this->Direction.col(i) = this->M.Row(i, this->Residual.col(i)) + beta * p;
+      const Row p = direction.col(i);
+      steps.col(i) += alpha * p;
+      direction.col(i) = M(i, residual.col(i)) + beta * p;
     });
 }
 }

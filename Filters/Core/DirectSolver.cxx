@@ -3,29 +3,18 @@
 #include "DirectSolver.h"
 
 #include "Exceptions.h"
+#include "Ordering.h"
 
 #ifdef LMO_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #else
 #include <Eigen/SparseCholesky>
 #endif
-#ifdef LMO_USE_METIS
-// MetisSupport uses std::cerr without including it.
-#include <iostream>
-
-#include <Eigen/MetisSupport>
-#endif
 
 namespace lmo
 {
 namespace
 {
-#ifdef LMO_USE_METIS
-using Ordering = Eigen::MetisOrdering<Index>;
-#else
-using Ordering = Eigen::AMDOrdering<Index>;
-#endif
-
 #ifdef LMO_USE_CHOLMOD
 using Factorisation = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;
 #else

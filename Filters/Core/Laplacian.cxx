@@ -27,6 +27,46 @@ Vector NormalisedRows(const Laplacian& L)
     });
   return rowScale;
 }
+
+/// The angle across the edge to the next vertex is at the previous corner, and the other way round.
+void SumFanCotangents(
+  const MeshTopology& topology, Index i, const CornerValues& cotangents, double* row)
+{
+  const Index size = topology.oneRings.Size(i);
+  const Index corners = topology.cornersAt.Size(i);
+  double acrossPrevious = 0;
+  for (Index k = 0; k < corners; ++k)
+  {
+    const Index corner = topology.cornersAt.Begin(i)[k];
+    row[k] = acrossPrevious + cotangents.data()[PreviousCorner(corner)];
+    acrossPrevious = cotangents.data()[NextCorner(corner)];
+  }
+  if (size > corners)
+  {
+    row[corners] = acrossPrevious;
+  }
+  else if (size > 0)
+  {
+    row[0] += acrossPrevious;
+  }
+}
+
+/// The same where the corners are in any order.
+void SumCotangents(const MeshTopology& topology, const Triangles& triangles, Index i,
+  const CornerValues& cotangents, double* row)
+{
+  const Index* begin = topology.oneRings.Begin(i);
+  const Index* end = topology.oneRings.End(i);
+  const auto place = [&](Index id) { return std::lower_bound(begin, end, id) - begin; };
+  std::fill(row, row + (end - begin), 0.0);
+  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  {
+    const Index next = NextCorner(*c);
+    const Index previous = PreviousCorner(*c);
+    row[place(triangles.data()[next])] += cotangents.data()[previous];
+    row[place(triangles.data()[previous])] += cotangents.data()[next];
+  }
+}
 }
 
 Laplacian UniformLaplacian(std::shared_ptr<const AdjacencyLists> oneRings)
@@ -40,18 +80,18 @@ std::shared_ptr<const Vector> CotangentEdgeWeights(
   const MeshTopology& topology, const Triangles& triangles, const CornerValues& cotangents)
 {
   const AdjacencyLists& rings = topology.oneRings;
-  auto weights = std::make_shared<Vector>(Vector::Zero(rings.ids.size()));
+  auto weights = std::make_shared<Vector>(rings.ids.size());
   ParallelFor(topology.vertices,
     [&](Index i)
     {
       double* row = weights->data() + rings.offsets[i];
-      for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+      if (topology.isFan[i])
       {
-        // The angle across the edge to the next vertex is at the previous corner.
-        const Index next = NextCorner(*c);
-        const Index previous = PreviousCorner(*c);
-        row[rings.Find(i, triangles.data()[next])] += cotangents.data()[previous];
-        row[rings.Find(i, triangles.data()[previous])] += cotangents.data()[next];
+        SumFanCotangents(topology, i, cotangents, row);
+      }
+      else
+      {
+        SumCotangents(topology, triangles, i, cotangents, row);
       }
     });
   return weights;

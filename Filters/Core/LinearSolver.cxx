@@ -3,35 +3,78 @@
 #include "LinearSolver.h"
 
 #include "DirectSolver.h"
+#include "Multigrid.h"
+#include "Parallel.h"
+#include "SquaredPreconditioner.h"
+#include "StiffnessFactorisation.h"
+
+#include <cmath>
+#include <type_traits>
 
 namespace lmo
 {
 namespace
 {
-double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)
-{
-  return ComputeResidual(problem, d, [](Index, const Vector3&) {});
-}
+/// Iterations after which another preconditioner has paid for its setup.
+constexpr Index AffordableJacobiIterations = 400;
+constexpr Index AffordableMultigridIterations = 60;
 
 bool IsSolved(const Solution& solution, const SolverOptions& options)
 {
   return solution.relativeResidual <= options.tolerance;
 }
 
-/// Goes on from the solution so far.
-template <typename Scalar>
-void Iterate(const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor,
-  Solution& solution)
+/// Goes on from the solution so far, unless it is good enough.
+/// \tparam Preconditioner made from \a source
+/// \param affordable number of iterations; gives up before if it will clearly take more
+template <typename Preconditioner, typename Scalar, typename Source>
+void Iterate(const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, const Source& source,
+  const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
 {
-  PackedEquations<Scalar> A(problem);
-  JacobiPreconditioner<Scalar> M(problem);
-  ConjugateGradient<Scalar, JacobiPreconditioner<Scalar>>(problem, A, M)
-    .Run(options, monitor, solution);
-  if (!solution.displacement.allFinite())
+  if (!IsSolved(solution, options) && solution.iterations < options.maximumIterations)
   {
-    solution.displacement.setZero();
-    solution.relativeResidual = 1;
+    monitor.Report(0);
+    Preconditioner M(source);
+    ConjugateGradient<Scalar, Preconditioner>(problem, A, M)
+      .Run(options, affordable, monitor, solution);
   }
+}
+
+/// Rough guess of the iterations that the Jacobi preconditioner needs: about 11 over a typical
+/// ratio of W_p to the weights of L, whose square is the smallest eigenvalue.
+double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
+{
+  const double sum = ParallelSum(problem.Size(), 0.0,
+    [&](double& total, Index i)
+    {
+      const double rowWeight = WeightSum(problem.L, i) * std::sqrt(RowWeight(problem, i));
+      const bool isFree = problem.motion.freedom[i] != MotionConstraints::FIXED;
+      total += isFree && problem.positionWeights[i] < rowWeight
+                 ? problem.positionWeights[i] / rowWeight
+                 : 1;
+    });
+  return 11 * problem.Size() / sum;
+}
+
+/// Tries the cheapest preconditioner first.
+void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
+  Monitor& monitor, Solution& solution)
+{
+  PackedEquations<float> A(problem);
+  if (ExpectedJacobiIterations(problem) < AffordableJacobiIterations)
+  {
+    Iterate<JacobiPreconditioner<float>>(
+      problem, A, problem, options, AffordableJacobiIterations, monitor, solution);
+  }
+  if (IsSolved(solution, options))
+  {
+    return;
+  }
+  const ShiftedStiffness matrix(problem, A.GetStiffness());
+  Iterate<SquaredPreconditioner<Multigrid>>(
+    problem, A, matrix, options, AffordableMultigridIterations, monitor, solution);
+  Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
+    problem, A, matrix, options, options.maximumIterations, monitor, solution);
 }
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
@@ -40,12 +83,12 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 {
   try
   {
-    Points direct = SolveDirectly(problem);
-    const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
-    if (residual < solution.relativeResidual)
+    Solution direct = solution;
+    direct.displacement = SolveDirectly(problem);
+    UpdateResidual(problem, direct);
+    if (direct.relativeResidual < solution.relativeResidual)
     {
-      solution.displacement = std::move(direct);
-      solution.relativeResidual = residual;
+      solution = std::move(direct);
     }
   }
   catch (const SolverError&)
@@ -57,9 +100,7 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   Monitor& monitor)
 {
-  Solution solution;
-  solution.displacement = Points::Zero(problem.Size(), 3);
-  solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
+  Solution solution = Start(problem);
   if (!(solution.rightHandSideNorm > 0))
   {
     return solution;
@@ -68,16 +109,10 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     monitor.Report(0);
     solution.displacement = SolveDirectly(problem);
-    solution.relativeResidual =
-      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
+    UpdateResidual(problem, solution);
     return solution;
   }
-  solution.relativeResidual = 1;
-  Iterate<float>(problem, options, monitor, solution);
-  if (!IsSolved(solution, options) && solution.iterations < options.maximumIterations)
-  {
-    Iterate<double>(problem, options, monitor, solution);
-  }
+  SolveIteratively(problem, options, monitor, solution);
   if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
   {
     ImproveDirectly(problem, solution);

@@ -50,77 +50,110 @@ AdjacencyLists BuildCornersAt(Index vertices, const Triangles& triangles)
   return lists;
 }
 
-/// The neighbours of a vertex, and those across a boundary edge, both ascending.
+/// The neighbours of a vertex, and those across a boundary edge.
 class RingCollector
 {
 public:
-  void Collect(const AdjacencyLists& cornersAt, const Triangles& triangles, Index i)
+  /// Puts the corners into the order of their fan if they form one. A closed fan starts at its
+  /// lowest neighbour, so that the order of the triangles does not matter.
+  void Collect(Index* corners, Index size, const Triangles& triangles)
   {
-    this->Next.clear();
-    this->Previous.clear();
-    for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
-    {
-      this->Next.push_back(triangles.data()[NextCorner(*corner)]);
-      this->Previous.push_back(triangles.data()[PreviousCorner(*corner)]);
-    }
-    SortShort(this->Next);
-    SortShort(this->Previous);
+    this->Neighbours.clear();
     this->Boundary.clear();
-    const bool isInside = this->Next == this->Previous && std::adjacent_find(this->Next.begin(),
-                                                            this->Next.end()) == this->Next.end();
-    if (!isInside)
+    this->IsFan = size <= LargestFan && this->OrderFan(corners, size, triangles);
+    if (!this->IsFan)
     {
-      this->CountTriangles();
+      this->CountTriangles(corners, size, triangles);
     }
   }
 
-  const std::vector<Index>& GetNeighbours() const { return this->Next; }
+  const std::vector<Index>& GetNeighbours() const { return this->Neighbours; }
   const std::vector<Index>& GetBoundary() const { return this->Boundary; }
+  bool GetIsFan() const { return this->IsFan; }
 
 private:
-  /// Insertion sort: one-rings are short, and std::sort takes twice as long for them.
-  static void SortShort(std::vector<Index>& ids)
+  static constexpr Index LargestFan = 16; ///< the search for successors is quadratic
+
+  bool OrderFan(Index* corners, Index size, const Triangles& triangles)
   {
-    if (ids.size() > 32)
+    Index next[LargestFan];
+    Index previous[LargestFan];
+    for (Index k = 0; k < size; ++k)
     {
-      std::sort(ids.begin(), ids.end());
-      return;
+      next[k] = triangles.data()[NextCorner(corners[k])];
+      previous[k] = triangles.data()[PreviousCorner(corners[k])];
     }
-    for (std::size_t k = 1; k < ids.size(); ++k)
+    Index successor[LargestFan];
+    Index start = static_cast<Index>(std::min_element(next, next + size) - next);
+    Index equal = 0;
+    for (Index k = 0; k < size; ++k)
     {
-      const Index id = ids[k];
-      std::size_t place = k;
-      for (; place > 0 && ids[place - 1] > id; --place)
+      Index place = -1;
+      Index predecessors = 0;
+      for (Index l = 0; l < size; ++l) // no branch to mispredict
       {
-        ids[place] = ids[place - 1];
+        place += (next[l] == previous[k]) * (l + 1);
+        predecessors += previous[l] == next[k];
+        equal += next[l] == next[k];
       }
-      ids[place] = id;
+      successor[k] = place;
+      start = predecessors == 0 ? k : start;
     }
+    if (equal != size) // an edge of several triangles, or orientations that differ
+    {
+      return false;
+    }
+    Index ordered[LargestFan];
+    Index count = 0;
+    Index k = start;
+    while (count < size && k >= 0 && (count == 0 || k != start))
+    {
+      this->Neighbours.push_back(next[k]);
+      ordered[count++] = k;
+      k = successor[k];
+    }
+    if (count < size || (k >= 0 && k != start)) // several fans
+    {
+      return false;
+    }
+    if (k < 0)
+    {
+      const Index last = previous[ordered[count - 1]];
+      this->Boundary = { std::min(this->Neighbours[0], last), std::max(this->Neighbours[0], last) };
+      this->Neighbours.push_back(last);
+    }
+    std::transform(ordered, ordered + size, ordered, [&](Index place) { return corners[place]; });
+    std::copy(ordered, ordered + size, corners);
+    return true;
   }
 
-  /// At a boundary, where orientations differ and at non-manifold edges: a neighbour appears once
-  /// for each triangle of its edge.
-  void CountTriangles()
+  /// A neighbour appears once for each triangle of its edge.
+  void CountTriangles(const Index* corners, Index size, const Triangles& triangles)
   {
-    this->Next.insert(this->Next.end(), this->Previous.begin(), this->Previous.end());
-    std::sort(this->Next.begin(), this->Next.end());
-    std::size_t neighbours = 0;
-    for (auto first = this->Next.begin(); first != this->Next.end();)
+    this->Neighbours.clear();
+    for (Index k = 0; k < size; ++k)
     {
-      const auto last = std::upper_bound(first, this->Next.end(), *first);
+      this->Neighbours.push_back(triangles.data()[NextCorner(corners[k])]);
+      this->Neighbours.push_back(triangles.data()[PreviousCorner(corners[k])]);
+    }
+    std::sort(this->Neighbours.begin(), this->Neighbours.end());
+    std::size_t neighbours = 0;
+    for (auto first = this->Neighbours.begin(); first != this->Neighbours.end();)
+    {
+      const auto last = std::upper_bound(first, this->Neighbours.end(), *first);
       if (last - first == 1)
       {
         this->Boundary.push_back(*first);
       }
-      this->Next[neighbours++] = *first;
+      this->Neighbours[neighbours++] = *first;
       first = last;
     }
-    this->Next.resize(neighbours);
+    this->Neighbours.resize(neighbours);
   }
 
-  std::vector<Index> Next;
-  std::vector<Index> Previous;
+  std::vector<Index> Neighbours;
   std::vector<Index> Boundary;
+  bool IsFan = false;
 };
 
 /// Lists collected for a range of vertices, until it is known where they belong.
@@ -147,23 +180,6 @@ void Place(const std::vector<RangeOfLists>& ranges, std::vector<Index> RangeOfLi
 }
 }
 
-Index AdjacencyLists::Find(Index i, Index id) const
-{
-  const Index* begin = this->Begin(i);
-  const Index size = this->Size(i);
-  constexpr Index few = 16;
-  if (size > few)
-  {
-    return static_cast<Index>(std::lower_bound(begin, begin + size, id) - begin);
-  }
-  Index place = 0;
-  for (Index k = 0; k < size; ++k)
-  {
-    place += begin[k] < id; // no branch to mispredict
-  }
-  return place;
-}
-
 bool MeshTopology::IsClosed() const
 {
   return !this->cornersAt.ids.empty() && this->boundaryEdges.ids.empty();
@@ -182,6 +198,7 @@ MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
   topology.cornersAt = BuildCornersAt(vertices, triangles);
   topology.isBoundary.assign(vertices, 0);
   topology.isUsed.assign(vertices, 0);
+  topology.isFan.assign(vertices, 0);
   topology.oneRings.offsets.assign(vertices + 1, 0);
   topology.boundaryEdges.offsets.assign(vertices + 1, 0);
 
@@ -194,7 +211,9 @@ MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
       RingCollector ring;
       for (Index i = begin; i < end; ++i)
       {
-        ring.Collect(topology.cornersAt, triangles, i);
+        ring.Collect(topology.cornersAt.ids.data() + topology.cornersAt.offsets[i],
+          topology.cornersAt.Size(i), triangles);
+        topology.isFan[i] = ring.GetIsFan();
         const std::vector<Index>& neighbours = ring.GetNeighbours();
         const std::vector<Index>& boundary = ring.GetBoundary();
         range.neighbours.insert(range.neighbours.end(), neighbours.begin(), neighbours.end());

@@ -11,21 +11,21 @@ namespace lmo
 struct AdjacencyLists
 {
   std::vector<Index> offsets; ///< size vertices + 1; list i is [offsets[i], offsets[i + 1])
-  std::vector<Index> ids;     ///< ascending within each list
+  std::vector<Index> ids;
 
   Index Size(Index i) const { return this->offsets[i + 1] - this->offsets[i]; }
   const Index* Begin(Index i) const { return this->ids.data() + this->offsets[i]; }
   const Index* End(Index i) const { return this->ids.data() + this->offsets[i + 1]; }
-  /// Place of \a id within list i, which must hold it.
-  Index Find(Index i, Index id) const;
 };
 
 /// Who is whose neighbour. A triangle that names a vertex twice has no edges and counts nowhere.
 struct MeshTopology
 {
   Index vertices = 0;
-  AdjacencyLists cornersAt;     ///< corners at each vertex; corner k of triangle t is 3 t + k
-  AdjacencyLists oneRings;      ///< vertices that share an edge with each vertex
+  AdjacencyLists cornersAt; ///< corners at each vertex; corner k of triangle t is 3 t + k
+  AdjacencyLists oneRings;  ///< vertices that share an edge with each vertex
+  Mask isFan; ///< corner k at the vertex lies between the neighbours k and k + 1, the first again
+              ///< after the last; at other vertices both lists ascend
   AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one triangle with each
   Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
   Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere

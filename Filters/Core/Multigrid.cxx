@@ -4,9 +4,6 @@
 
 #include "Parallel.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace lmo
 {
 namespace
@@ -14,196 +11,103 @@ namespace
 using Row = PackedRow<float>;
 
 constexpr Index CoarsestSize = 400;
-constexpr float StrongConnection = 0.08f; ///< relative to the geometric mean of the diagonals
-constexpr int SmootherDegree = 2;
-constexpr float SmoothedShare = 4; ///< the smoother acts on eigenvalues above the largest / this
+constexpr double LargestCoarseningRatio = 0.8; ///< a coarser level is not worth its while above
 
-Row MultiplySparseRow(const SparseRows& A, const PackedPoints<float>& x, Index i)
+/// Chebyshev smoother: on eigenvalues above the largest / share. Cotangents, which may be negative,
+/// need more of it.
+struct SmootherOptions
 {
-  Row sum = Row::Zero();
-  for (Index k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
+  int degree;
+  float share;
+};
+constexpr SmootherOptions UniformSmoother{ 2, 5 };
+constexpr SmootherOptions CotangentSmoother{ 3, 10 };
+
+/// The rows of A x; cheap to copy.
+class SparseRowsTimes
+{
+public:
+  SparseRowsTimes(const SparseRows& A, const PackedPoints<float>& x)
+    : X(View(x))
+    , Offsets(A.outerIndexPtr())
+    , Columns(A.innerIndexPtr())
+    , Values(A.valuePtr())
   {
-    sum += A.valuePtr()[k] * x.col(A.innerIndexPtr()[k]);
   }
-  return sum;
-}
 
-/// K + R without the fixed vertices, which have a row of the identity.
-SparseRows FineMatrix(const Laplacian& L, const Multigrid::Values& shift, const Mask& isFixed)
-{
-  const AdjacencyLists& rings = *L.rings;
-  const auto size = static_cast<Index>(shift.size());
-  return MakeSparseRows(size, size,
-    [&](Index i, const auto& add)
-    {
-      if (isFixed[i])
-      {
-        add(i, 1);
-        return;
-      }
-      add(i, static_cast<float>(shift[i] + WeightSum(L, i)));
-      for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-      {
-        if (!isFixed[rings.ids[k]])
-        {
-          add(rings.ids[k], static_cast<float>(L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0));
-        }
-      }
-    });
-}
-
-/// Gershgorin bound of the largest eigenvalue of D^-1 A.
-float LargestEigenvalueBound(const SparseRows& A)
-{
-  float bound = 0;
-  for (Index i = 0; i < A.rows(); ++i)
+  Row operator()(Index i) const
   {
-    float sum = 0;
-    float diagonal = 1;
-    for (SparseRows::InnerIterator entry(A, i); entry; ++entry)
+    Row sum = Row::Zero();
+    for (Index k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
     {
-      sum += std::abs(entry.value());
-      diagonal = entry.col() == i ? entry.value() : diagonal;
+      sum += this->Values[k] * this->X.col(this->Columns[k]);
     }
-    bound = std::max(bound, sum / diagonal);
+    return sum;
   }
-  return bound;
+
+private:
+  const ConstPackedView<float> X;
+  const Index* Offsets;
+  const Index* Columns;
+  const float* Values;
+};
 }
 
-/// Groups strongly connected unknowns.
-/// \return aggregate of each unknown, -1 for an unknown without strong connections: the smoother
-/// alone solves for it
-std::vector<Index> Aggregate(const SparseRows& A, Index& aggregates)
+Multigrid::Multigrid(const ShiftedStiffness& matrix)
+  : Matrix(matrix)
 {
-  constexpr Index undecided = -2;
-  const auto size = static_cast<Index>(A.rows());
-  const Eigen::ArrayXf diagonal = A.diagonal();
-  const auto isStrong = [&](Index i, Index j, float value)
+  SparseRows coarse = this->AddLevel(matrix);
+  for (Index i = 0; i < matrix.Size(); ++i)
   {
-    return i != j &&
-           value * value > StrongConnection * StrongConnection * diagonal[i] * diagonal[j];
-  };
-  std::vector<Index> aggregate(size, undecided);
-  aggregates = 0;
-  for (Index i = 0; i < size; ++i)
-  {
-    bool isConnected = false;
-    bool isNeighbourhoodFree = aggregate[i] == undecided;
-    for (SparseRows::InnerIterator entry(A, i); entry && isNeighbourhoodFree; ++entry)
-    {
-      if (isStrong(i, entry.col(), entry.value()))
-      {
-        isConnected = true;
-        isNeighbourhoodFree = aggregate[entry.col()] < 0;
-      }
-    }
-    if (!isNeighbourhoodFree)
-    {
-      continue;
-    }
-    aggregate[i] = isConnected ? aggregates : -1;
-    for (SparseRows::InnerIterator entry(A, i); entry && isConnected; ++entry)
-    {
-      if (isStrong(i, entry.col(), entry.value()))
-      {
-        aggregate[entry.col()] = aggregates;
-      }
-    }
-    aggregates += isConnected;
+    this->Levels[0].smootherScale[i] *= !matrix.isFixed[i];
   }
-  // The others join the aggregate of their strongest neighbour that has one.
-  std::vector<Index> joined = aggregate;
-  for (Index i = 0; i < size; ++i)
+  while (coarse.rows() > 0)
   {
-    float strongest = 0;
-    for (SparseRows::InnerIterator entry(A, i); entry && aggregate[i] == undecided; ++entry)
-    {
-      if (isStrong(i, entry.col(), entry.value()) && aggregate[entry.col()] >= 0 &&
-          std::abs(entry.value()) > strongest)
-      {
-        strongest = std::abs(entry.value());
-        joined[i] = aggregate[entry.col()];
-      }
-    }
-    if (joined[i] == undecided)
-    {
-      joined[i] = aggregates++;
-    }
-  }
-  return joined;
-}
-
-/// (I - 4 / (3 lambda) D^-1 A) times the piecewise constant prolongation.
-SparseRows SmoothedProlongation(const SparseRows& A, const Eigen::ArrayXf& damping)
-{
-  Index aggregates = 0;
-  const std::vector<Index> aggregate = Aggregate(A, aggregates);
-  return MakeSparseRows(static_cast<Index>(A.rows()), aggregates,
-    [&](Index i, const auto& add)
-    {
-      if (aggregate[i] >= 0)
-      {
-        add(aggregate[i], 1);
-      }
-      for (SparseRows::InnerIterator entry(A, i); entry; ++entry)
-      {
-        if (aggregate[entry.col()] >= 0)
-        {
-          add(aggregate[entry.col()], -damping[i] * entry.value());
-        }
-      }
-    });
-}
-}
-
-Multigrid::Multigrid(
-  const PackedStiffness<float>& K, const Laplacian& L, Values shift, const Mask& isFixed)
-  : K(K)
-  , Shift(std::move(shift))
-{
-  this->BuildLevels(FineMatrix(L, this->Shift, isFixed));
-  this->Levels[0].A.resize(0, 0);
-  this->Levels[0].A.data().squeeze();
-  for (std::size_t i = 0; i < isFixed.size(); ++i)
-  {
-    this->Levels[0].inverseDiagonal[i] *= !isFixed[i];
+    SparseRows coarser = this->AddLevel(SparseRowList(coarse));
+    this->Levels.back().A = std::move(coarse);
+    coarse = std::move(coarser);
   }
 }
 
-void Multigrid::BuildLevels(SparseRows matrix)
+template <typename Rows>
+SparseRows Multigrid::AddLevel(const Rows& matrix)
 {
-  while (true)
+  const Index size = matrix.Size();
+  this->Levels.emplace_back();
+  Level& level = this->Levels.back();
+  level.smootherScale = SmootherScale(matrix);
+  const Aggregation aggregation = size > CoarsestSize ? Aggregate(matrix) : Aggregation();
+  if (aggregation.count == 0 || aggregation.count > LargestCoarseningRatio * size)
   {
-    this->Levels.emplace_back();
-    Level& level = this->Levels.back();
-    level.A = std::move(matrix);
-    level.inverseDiagonal = 1 / Values(level.A.diagonal().array());
-    level.largestEigenvalue = LargestEigenvalueBound(level.A);
-    const auto size = static_cast<Index>(level.A.rows());
-    level.residual.resize(4, size);
-    level.step.resize(4, size);
-    level.nextStep.resize(4, size);
-    if (size <= CoarsestSize)
-    {
-      break;
-    }
-    level.prolongation =
-      SmoothedProlongation(level.A, 4 / (3 * level.largestEigenvalue) * level.inverseDiagonal);
-    const auto coarseSize = static_cast<Index>(level.prolongation.cols());
-    if (coarseSize == 0 || coarseSize > 0.8 * size)
-    {
-      level.prolongation.resize(0, 0);
-      break;
-    }
-    level.restriction = level.prolongation.transpose();
-    matrix = Multiply(level.restriction, Multiply(level.A, level.prolongation));
-    level.coarseRightHandSide.resize(4, coarseSize);
-    level.coarseSolution.resize(4, coarseSize);
+    this->FactoriseCoarsest(matrix);
+    return {};
   }
-  this->Coarsest.compute(this->Levels.back().A.cast<double>());
+  level.residual.resize(4, size);
+  level.step.resize(4, size);
+  level.nextStep.resize(4, size);
+  level.coarseRightHandSide.resize(4, aggregation.count);
+  level.coarseSolution.resize(4, aggregation.count);
+  level.prolongation = SmoothedProlongation(matrix, level.smootherScale, aggregation);
+  level.restriction = level.prolongation.transpose();
+  constexpr Index expectedEntries = 8;
+  const SparseRows product = Multiply(matrix, level.prolongation, expectedEntries);
+  return Multiply(SparseRowList(level.restriction), product, 2 * expectedEntries);
 }
 
-void Multigrid::Cycle(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+template <typename Rows>
+void Multigrid::FactoriseCoarsest(const Rows& matrix)
+{
+  std::vector<Eigen::Triplet<double, Index>> entries;
+  for (Index i = 0; i < matrix.Size(); ++i)
+  {
+    matrix.ForEachEntry(i, [&](Index j, double value) { entries.emplace_back(i, j, value); });
+  }
+  SparseMatrix coarsest(matrix.Size(), matrix.Size());
+  coarsest.setFromTriplets(entries.begin(), entries.end());
+  this->Coarsest.compute(coarsest);
+}
+
+void Multigrid::Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
 {
   this->CycleFrom(0, rightHandSide, solution);
 }
@@ -214,86 +118,87 @@ void Multigrid::CycleFrom(
   if (index + 1 == this->Levels.size())
   {
     this->SolveCoarsest(rightHandSide, solution);
+    return;
   }
-  else if (index > 0)
-  {
-    const SparseRows& A = this->Levels[index].A;
-    this->CycleWith(
-      index, [&A](const PackedPoints<float>& x, Index i) { return MultiplySparseRow(A, x, i); },
-      rightHandSide, solution);
-  }
-  else if (this->K.IsWeighted())
-  {
-    this->CycleWith(
-      index,
-      [this](const PackedPoints<float>& x, Index i)
-      { return Row(this->K.Row<true>(x, i) + this->Shift[i] * x.col(i)); },
-      rightHandSide, solution);
-  }
-  else
-  {
-    this->CycleWith(
-      index,
-      [this](const PackedPoints<float>& x, Index i)
-      { return Row(this->K.Row<false>(x, i) + this->Shift[i] * x.col(i)); },
-      rightHandSide, solution);
-  }
+  Level& level = this->Levels[index];
+  const auto size = static_cast<Index>(level.smootherScale.size());
+  ParallelFor(size,
+    [=, b = View(rightHandSide), x = View(solution), r = View(level.residual)](Index i) mutable
+    {
+      x.col(i).setZero();
+      r.col(i) = b.col(i);
+    });
+  this->Smooth(index, solution);
+  this->WithRows(index, level.step,
+    [&](const auto& rows) {
+      ParallelFor(size, [=, r = View(level.residual)](Index i) mutable { r.col(i) -= rows(i); });
+    });
+  ParallelFor(static_cast<Index>(level.restriction.rows()),
+    [rows = SparseRowsTimes(level.restriction, level.residual),
+      b = View(level.coarseRightHandSide)](Index i) mutable { b.col(i) = rows(i); });
+  this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
+  ParallelFor(size, [rows = SparseRowsTimes(level.prolongation, level.coarseSolution),
+                      x = View(solution)](Index i) mutable { x.col(i) += rows(i); });
+  this->WithRows(index, solution,
+    [&](const auto& rows)
+    {
+      ParallelFor(size, [=, b = View(rightHandSide), r = View(level.residual)](Index i) mutable
+        { r.col(i) = b.col(i) - rows(i); });
+    });
+  this->Smooth(index, solution);
 }
 
-template <typename MultiplyRow>
-void Multigrid::CycleWith(std::size_t index, const MultiplyRow& multiplyRow,
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+template <typename Body>
+void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const Body& body) const
+{
+  if (index > 0)
+  {
+    body(SparseRowsTimes(this->Levels[index].A, x));
+    return;
+  }
+  this->Matrix.K.WithRows(x,
+    [&](const auto& Kx)
+    {
+      body([Kx, shift = this->Matrix.shift.data(), x = View(x)](Index i)
+        { return Row(Kx(i) + shift[i] * x.col(i)); });
+    });
+}
+
+void Multigrid::Smooth(std::size_t index, PackedPoints<float>& solution)
 {
   Level& level = this->Levels[index];
-  const auto size = static_cast<Index>(level.inverseDiagonal.size());
-  ParallelFor(size,
-    [&](Index i)
-    {
-      solution.col(i).setZero();
-      level.residual.col(i) = rightHandSide.col(i);
-    });
-  Smooth(level, multiplyRow, solution);
-  ParallelFor(size, [&](Index i) { level.residual.col(i) -= multiplyRow(level.step, i); });
-  ParallelFor(static_cast<Index>(level.restriction.rows()),
-    [&](Index i) {
-      level.coarseRightHandSide.col(i) = MultiplySparseRow(level.restriction, level.residual, i);
-    });
-  this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
-  ParallelFor(size, [&](Index i)
-    { solution.col(i) += MultiplySparseRow(level.prolongation, level.coarseSolution, i); });
-  ParallelFor(size,
-    [&](Index i) { level.residual.col(i) = rightHandSide.col(i) - multiplyRow(solution, i); });
-  Smooth(level, multiplyRow, solution);
-}
-
-template <typename MultiplyRow>
-void Multigrid::Smooth(Level& level, const MultiplyRow& multiplyRow, PackedPoints<float>& solution)
-{
-  const float upper = level.largestEigenvalue;
-  const float lower = upper / SmoothedShare;
+  const SmootherOptions options = this->Matrix.L.edgeWeights ? CotangentSmoother : UniformSmoother;
+  const float upper = LargestEigenvalue;
+  const float lower = upper / options.share;
   const float centre = (upper + lower) / 2;
   const float radius = (upper - lower) / 2;
-  const auto size = static_cast<Index>(level.inverseDiagonal.size());
+  const auto size = static_cast<Index>(level.smootherScale.size());
+  const float* const smootherScale = level.smootherScale.data();
   ParallelFor(size,
-    [&](Index i)
+    [=, r = View(level.residual), step = View(level.step), x = View(solution)](Index i) mutable
     {
-      const Row step = level.inverseDiagonal[i] / centre * level.residual.col(i);
-      level.step.col(i) = step;
-      solution.col(i) += step;
+      step.col(i) = smootherScale[i] / centre * r.col(i);
+      x.col(i) += step.col(i);
     });
   float rho = radius / centre;
-  for (int degree = 1; degree < SmootherDegree; ++degree)
+  for (int degree = 1; degree < options.degree; ++degree)
   {
     const float nextRho = 1 / (2 * centre / radius - rho);
-    ParallelFor(size,
-      [&](Index i)
+    const float momentum = nextRho * rho;
+    const float factor = 2 * nextRho / radius;
+    this->WithRows(index, level.step,
+      [&](const auto& rows)
       {
-        const Row residual = level.residual.col(i) - multiplyRow(level.step, i);
-        const Row step = nextRho * rho * level.step.col(i) +
-                         2 * nextRho / radius * level.inverseDiagonal[i] * residual;
-        level.residual.col(i) = residual;
-        level.nextStep.col(i) = step;
-        solution.col(i) += step;
+        ParallelFor(size,
+          [=, r = View(level.residual), step = View(level.step), next = View(level.nextStep),
+            x = View(solution)](Index i) mutable
+          {
+            const Row residual = r.col(i) - rows(i);
+            const Row change = momentum * step.col(i) + factor * smootherScale[i] * residual;
+            r.col(i) = residual;
+            next.col(i) = change;
+            x.col(i) += change;
+          });
       });
     level.step.swap(level.nextStep);
     rho = nextRho;

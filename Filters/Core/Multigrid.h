@@ -3,38 +3,35 @@
 #ifndef lmo_Multigrid_h
 #define lmo_Multigrid_h
 
-#include "PackedStiffness.h"
-#include "SparseProduct.h"
+#include "ShiftedStiffness.h"
+#include "SmoothedAggregation.h"
 
 #include <Eigen/SparseCholesky>
 
 namespace lmo
 {
-/// Approximate inverse of K + R, K the stiffness matrix of a Laplacian and R a diagonal: one
-/// V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996), which is symmetric itself.
+/// Approximate inverse of K + R: one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996),
+/// which is symmetric itself.
 class Multigrid
 {
 public:
-  using Values = Eigen::Array<float, Eigen::Dynamic, 1>;
+  using Values = Eigen::ArrayXf;
 
-  /// Keeps a reference to \a K.
-  /// \param shift the diagonal of R, >= 0
-  /// \param isFixed vertices whose values are 0
-  Multigrid(const PackedStiffness<float>& K, const Laplacian& L, Values shift, const Mask& isFixed);
+  /// Keeps a reference to \a matrix.
+  explicit Multigrid(const ShiftedStiffness& matrix);
 
   /// solution = approximately (K + R)^-1 rightHandSide
-  void Cycle(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+  void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
 
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
 
 private:
   struct Level
   {
-    SparseRows A;                ///< empty on the finest level, where it is K + R
-    SparseRows prolongation;     ///< from the next, coarser level; empty on the coarsest
-    SparseRows restriction;      ///< its transpose
-    Values inverseDiagonal;      ///< 0 for unknowns that are 0
-    float largestEigenvalue = 0; ///< bound for the matrix scaled by the inverse diagonal
+    SparseRows A;            ///< empty on the finest level, where it is K + R
+    SparseRows prolongation; ///< from the next, coarser level; empty on the coarsest
+    SparseRows restriction;  ///< its transpose
+    Values smootherScale;    ///< 0 for unknowns that are 0
     PackedPoints<float> residual;
     PackedPoints<float> step;
     PackedPoints<float> nextStep;
@@ -42,25 +39,29 @@ private:
     PackedPoints<float> coarseSolution;
   };
 
-  void BuildLevels(SparseRows matrix);
+  /// Adds a level but for its matrix.
+  /// \return the matrix of the next, coarser level; empty if there is none
+  template <typename Rows>
+  SparseRows AddLevel(const Rows& matrix);
+
+  template <typename Rows>
+  void FactoriseCoarsest(const Rows& matrix);
+
   void CycleFrom(
     std::size_t index, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
   void SolveCoarsest(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const;
 
-  /// The cycle with the function that multiplies a row of this level's matrix with a vector.
-  template <typename MultiplyRow>
-  void CycleWith(std::size_t index, const MultiplyRow& multiplyRow,
-    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+  /// Calls body(rows), where rows(i) is row i of this level's matrix times x and cheap to copy.
+  template <typename Body>
+  void WithRows(std::size_t index, const PackedPoints<float>& x, const Body& body) const;
 
   /// Chebyshev iteration on the upper part of the spectrum.
-  /// \pre level.residual is that of \a solution.
-  template <typename MultiplyRow>
-  static void Smooth(Level& level, const MultiplyRow& multiplyRow, PackedPoints<float>& solution);
+  /// \pre The level's residual is that of \a solution.
+  void Smooth(std::size_t index, PackedPoints<float>& solution);
 
-  const PackedStiffness<float>& K;
-  Values Shift;
+  const ShiftedStiffness& Matrix;
   std::vector<Level> Levels;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> Coarsest;
+  Eigen::SimplicialLDLT<SparseMatrix> Coarsest;
 };
 }
 

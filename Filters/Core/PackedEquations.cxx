@@ -26,31 +26,33 @@ PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
 template <typename Scalar>
 Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
-  const Dots dots = this->K.IsWeighted() ? this->template MultiplyWeighted<true>(x, product)
-                                         : this->template MultiplyWeighted<false>(x, product);
-  return this->Problem.IsCoupled() ? this->FinishCoupled(x, product) : dots;
-}
-
-template <typename Scalar>
-template <bool Weighted>
-Dots PackedEquations<Scalar>::MultiplyWeighted(
-  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
-{
-  ParallelFor(this->Size(),
-    [&](Index i) { this->RowValues.col(i) = this->Q[i] * this->K.template Row<Weighted>(x, i); });
-  return ParallelSum(this->Size(), DotSum(),
-    [&](DotSum& dots, Index i)
+  auto rowValues = View(this->RowValues);
+  this->K.WithRows(x,
+    [&](const auto& Kx)
     {
-      PackedRow<Scalar> row = this->K.template Row<Weighted>(this->RowValues, i) +
-                              this->SquaredPositionWeights[i] * x.col(i);
-      if (this->Problem.motion.freedom[i] == MotionConstraints::FIXED)
-      {
-        row.setZero();
-      }
-      product.col(i) = row;
-      dots.Add(PackedRow<Scalar>(row * x.col(i)));
-    })
-    .Get();
+      const Scalar* Q = this->Q.data();
+      ParallelFor(this->Size(), [=](Index i) mutable { rowValues.col(i) = Q[i] * Kx(i); });
+    });
+  Dots dots;
+  this->K.WithRows(this->RowValues,
+    [&](const auto& KQKx)
+    {
+      const Scalar* squaredWeights = this->SquaredPositionWeights.data();
+      const unsigned char* freedom = this->Problem.motion.freedom.data();
+      dots = ParallelSum(this->Size(), DotSum(),
+        [=, x = View(x), product = View(product)](DotSum& sum, Index i) mutable
+        {
+          const PackedRow<Scalar> xi = x.col(i);
+          PackedRow<Scalar> row = KQKx(i) + squaredWeights[i] * xi;
+          if (freedom[i] == MotionConstraints::FIXED)
+          {
+            row.setZero();
+          }
+          product.col(i) = row;
+          sum.Add(PackedRow<Scalar>(row * xi));
+        }).Get();
+    });
+  return this->Problem.IsCoupled() ? this->FinishCoupled(x, product) : dots;
 }
 
 template <typename Scalar>

@@ -11,29 +11,26 @@ namespace lmo
 /// Inner products of the columns x, y and z; the fourth is 0.
 using Dots = Eigen::Array4d;
 
-/// Sums inner products; plain numbers stay in registers.
+/// Sums inner products.
 struct DotSum
 {
-  double x = 0;
-  double y = 0;
-  double z = 0;
+  Eigen::Array2d xy = Eigen::Array2d::Zero();
+  Eigen::Array2d zw = Eigen::Array2d::Zero();
 
-  template <typename Row>
-  void Add(const Row& products)
+  template <typename Scalar>
+  void Add(const PackedRow<Scalar>& products)
   {
-    this->x += products[0];
-    this->y += products[1];
-    this->z += products[2];
+    this->xy += products.template head<2>().template cast<double>();
+    this->zw += products.template tail<2>().template cast<double>();
   }
 
   void operator+=(const DotSum& other)
   {
-    this->x += other.x;
-    this->y += other.y;
-    this->z += other.z;
+    this->xy += other.xy;
+    this->zw += other.zw;
   }
 
-  Dots Get() const { return Dots(this->x, this->y, this->z, 0); }
+  Dots Get() const { return Dots(this->xy[0], this->xy[1], this->zw[0], this->zw[1]); }
 };
 
 /// The matrix A of a problem's normal equations, stored for speed. In single precision it serves to
@@ -54,9 +51,6 @@ public:
   Dots Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 
 private:
-  template <bool Weighted>
-  Dots MultiplyWeighted(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
-
   /// Adds what is not K Q K + W_p^2 and projects on the motion allowed.
   Dots FinishCoupled(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 

@@ -14,6 +14,26 @@ using PackedPoints = Eigen::Array<Scalar, 4, Eigen::Dynamic>;
 template <typename Scalar>
 using PackedRow = Eigen::Array<Scalar, 4, 1>;
 
+/// Packed points by their address. Loops that are to be fast capture such views by value: then
+/// addresses stay in registers.
+template <typename Scalar>
+using PackedView = Eigen::Map<PackedPoints<Scalar>, Eigen::Aligned16>;
+
+template <typename Scalar>
+PackedView<Scalar> View(PackedPoints<Scalar>& points)
+{
+  return { points.data(), 4, points.cols() };
+}
+
+template <typename Scalar>
+using ConstPackedView = Eigen::Map<const PackedPoints<Scalar>, Eigen::Aligned16>;
+
+template <typename Scalar>
+ConstPackedView<Scalar> View(const PackedPoints<Scalar>& points)
+{
+  return { points.data(), 4, points.cols() };
+}
+
 /// K = E - S with the first neighbours of each vertex in slots of fixed number: no branch depends
 /// on the valence, which the processor could not predict. An unused slot names the vertex itself.
 template <typename Scalar>
@@ -22,34 +42,86 @@ class PackedStiffness
 public:
   explicit PackedStiffness(const Laplacian& L);
 
-  bool IsWeighted() const { return this->Weights.cols() > 0; }
-
-  /// Row i of K x.
-  template <bool Weighted>
-  PackedRow<Scalar> Row(const PackedPoints<Scalar>& x, Index i) const
+  /// Calls body(rows), where rows(i) is row i of K x and cheap to copy.
+  template <typename Body>
+  void WithRows(const PackedPoints<Scalar>& x, const Body& body) const
   {
-    const PackedRow<Scalar> centre = x.col(i);
-    PackedRow<Scalar> sum = PackedRow<Scalar>::Zero();
-    for (int slot = 0; slot < Slots; ++slot)
+    if (this->Weights.cols() > 0)
     {
-      const PackedRow<Scalar> difference = centre - x.col(this->Neighbours(slot, i));
-      sum += Weighted ? PackedRow<Scalar>(this->Weights(slot, i) * difference) : difference;
+      body(Rows<true>(*this, x));
     }
-    const AdjacencyLists& rings = *this->L.rings;
-    for (Index k = rings.offsets[i] + Slots; k < rings.offsets[i + 1]; ++k)
+    else
     {
-      const Scalar weight = Weighted ? Scalar((*this->L.edgeWeights)[k]) : Scalar(1);
-      sum += weight * (centre - x.col(rings.ids[k]));
+      body(Rows<false>(*this, x));
     }
-    return sum;
   }
 
 private:
   static constexpr int Slots = 8;
 
+  template <bool Weighted>
+  class Rows;
+
   const Laplacian& L;
   Eigen::Array<Index, Slots, Eigen::Dynamic> Neighbours;
   Eigen::Array<Scalar, Slots, Eigen::Dynamic> Weights; ///< no columns if all are 1
+};
+
+template <typename Scalar>
+template <bool Weighted>
+class PackedStiffness<Scalar>::Rows
+{
+public:
+  Rows(const PackedStiffness& K, const PackedPoints<Scalar>& x)
+    : X(View(x))
+    , Neighbours(K.Neighbours.data())
+    , Weights(K.Weights.data())
+    , Offsets(K.L.rings->offsets.data())
+    , Ids(K.L.rings->ids.data())
+    , EdgeWeights(Weighted ? K.L.edgeWeights->data() : nullptr)
+  {
+  }
+
+  PackedRow<Scalar> operator()(Index i) const
+  {
+    const PackedRow<Scalar> centre = this->X.col(i);
+    const Index* neighbours = this->Neighbours + std::ptrdiff_t(Slots) * i;
+    PackedRow<Scalar> row;
+    if (Weighted)
+    {
+      const Scalar* weights = this->Weights + std::ptrdiff_t(Slots) * i;
+      row.setZero();
+      for (int slot = 0; slot < Slots; ++slot)
+      {
+        row += weights[slot] * (centre - this->X.col(neighbours[slot]));
+      }
+    }
+    else
+    {
+      PackedRow<Scalar> even = this->X.col(neighbours[0]);
+      PackedRow<Scalar> odd = this->X.col(neighbours[1]);
+      for (int slot = 2; slot < Slots; slot += 2) // two sums at a time
+      {
+        even += this->X.col(neighbours[slot]);
+        odd += this->X.col(neighbours[slot + 1]);
+      }
+      row = Scalar(Slots) * centre - (even + odd);
+    }
+    for (Index k = this->Offsets[i] + Slots; k < this->Offsets[i + 1]; ++k)
+    {
+      const Scalar weight = Weighted ? Scalar(this->EdgeWeights[k]) : Scalar(1);
+      row += weight * (centre - this->X.col(this->Ids[k]));
+    }
+    return row;
+  }
+
+private:
+  const ConstPackedView<Scalar> X;
+  const Index* Neighbours;
+  const Scalar* Weights;
+  const Index* Offsets;
+  const Index* Ids;
+  const double* EdgeWeights;
 };
 
 extern template class PackedStiffness<float>;

@@ -54,16 +54,18 @@ void ParallelRanges(Index count, const Body& body)
     });
 }
 
-/// Calls body(i) for every i in [0, count), in any order and on several threads.
+/// Calls body(i), or that of a copy, for every i in [0, count), in any order and on several
+/// threads.
 template <typename Body>
 void ParallelFor(Index count, const Body& body)
 {
   ParallelRanges(count,
     [&body](Index begin, Index end)
     {
+      Body local = body; // what it holds by value stays in registers
       for (Index i = begin; i < end; ++i)
       {
-        body(i);
+        local(i);
       }
     });
 }
@@ -77,6 +79,7 @@ Value ParallelSum(Index count, const Value& zero, const Body& body)
   ParallelRanges(count,
     [&](Index begin, Index end)
     {
+      Body local = body;
       while (begin < end)
       {
         Value sum = zero;
@@ -84,7 +87,7 @@ Value ParallelSum(Index count, const Value& zero, const Body& body)
         const Index blockEnd = end - begin > ParallelBlock ? begin + ParallelBlock : end;
         for (; begin < blockEnd; ++begin)
         {
-          body(sum, begin);
+          local(sum, begin);
         }
         partial[block] = sum;
       }

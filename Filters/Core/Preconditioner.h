@@ -9,27 +9,48 @@ namespace lmo
 {
 /// Approximates A by its diagonal, or by its 3 x 3 diagonal blocks where x, y and z are coupled.
 /// A preconditioner M gives M^-1 r in two steps: Prepare(r) does what needs the whole residual, of
-/// which there is nothing here, and Row(i, r_i) returns row i of the result.
+/// which there is nothing here, and GetRows()(i, r_i) returns row i of the result.
 template <typename Scalar>
 class JacobiPreconditioner
 {
 public:
-  static constexpr bool IsRowWise = true; ///< Row() needs nothing but r_i
+  static constexpr bool IsRowWise = true; ///< rows need nothing but r_i
 
   explicit JacobiPreconditioner(const LeastSquaresProblem& problem);
 
   void Prepare(const PackedPoints<Scalar>&) {}
 
-  PackedRow<Scalar> Row(Index i, const PackedRow<Scalar>& residual) const
+  /// Cheap to copy.
+  class Rows
   {
-    PackedRow<Scalar> row = this->InverseDiagonal[i] * residual;
-    if (this->Normals.cols() > 0)
+  public:
+    PackedRow<Scalar> operator()(Index i, const PackedRow<Scalar>& residual) const
     {
-      const PackedRow<Scalar> normal = this->Normals.col(i);
-      row -= this->NormalFactor[i] * (normal * residual).sum() * normal;
+      PackedRow<Scalar> row = this->InverseDiagonal[i] * residual;
+      if (this->NormalFactor)
+      {
+        const PackedRow<Scalar> normal = this->Normals.col(i);
+        row -= this->NormalFactor[i] * (normal * residual).sum() * normal;
+      }
+      return row;
     }
-    return row;
-  }
+
+  private:
+    friend class JacobiPreconditioner;
+
+    explicit Rows(const JacobiPreconditioner& M)
+      : InverseDiagonal(M.InverseDiagonal.data())
+      , Normals(View(M.Normals))
+      , NormalFactor(M.Normals.cols() > 0 ? M.NormalFactor.data() : nullptr)
+    {
+    }
+
+    const Scalar* InverseDiagonal;
+    ConstPackedView<Scalar> Normals;
+    const Scalar* NormalFactor;
+  };
+
+  Rows GetRows() const { return Rows(*this); }
 
 private:
   using Values = Eigen::Array<Scalar, Eigen::Dynamic, 1>;

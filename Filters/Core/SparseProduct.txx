@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <vector>
 
 namespace lmo
 {
@@ -34,15 +35,14 @@ public:
     }
   }
 
-  /// Appends the row, in ascending order of the columns, and starts the next one.
+  /// Appends the row and starts the next one.
   Index MoveTo(std::vector<Index>& ids, std::vector<float>& values)
   {
     const auto size = static_cast<Index>(this->Ids.size());
-    std::sort(this->Ids.begin(), this->Ids.end());
+    ids.insert(ids.end(), this->Ids.begin(), this->Ids.end());
+    values.insert(values.end(), this->Values.begin(), this->Values.end());
     for (const Index column : this->Ids)
     {
-      ids.push_back(column);
-      values.push_back(this->Values[this->PlaceOf[column]]);
       this->PlaceOf[column] = -1;
     }
     this->Ids.clear();
@@ -57,7 +57,7 @@ private:
 };
 
 template <typename Fill>
-SparseRows MakeSparseRows(Index rows, Index columns, const Fill& fill)
+SparseRows MakeSparseRows(Index rows, Index columns, Index expectedEntries, const Fill& fill)
 {
   struct Range
   {
@@ -74,6 +74,8 @@ SparseRows MakeSparseRows(Index rows, Index columns, const Fill& fill)
     {
       Range& range = ranges[begin / ParallelBlock];
       range.begin = begin;
+      range.ids.reserve(std::size_t(expectedEntries) * (end - begin));
+      range.values.reserve(std::size_t(expectedEntries) * (end - begin));
       RowAccumulator row(columns);
       for (Index i = begin; i < end; ++i)
       {
@@ -83,26 +85,31 @@ SparseRows MakeSparseRows(Index rows, Index columns, const Fill& fill)
     });
   std::partial_sum(offsets, offsets + rows + 1, offsets);
   matrix.resizeNonZeros(offsets[rows]);
-  for (const Range& range : ranges)
-  {
-    std::copy(range.ids.begin(), range.ids.end(), matrix.innerIndexPtr() + offsets[range.begin]);
-    std::copy(range.values.begin(), range.values.end(), matrix.valuePtr() + offsets[range.begin]);
-  }
+  ParallelTasks(static_cast<Index>(ranges.size()),
+    [&](Index k)
+    {
+      const Range& range = ranges[k];
+      const Index first = offsets[range.begin];
+      std::copy(range.ids.begin(), range.ids.end(), matrix.innerIndexPtr() + first);
+      std::copy(range.values.begin(), range.values.end(), matrix.valuePtr() + first);
+    });
   return matrix;
 }
 
-inline SparseRows Multiply(const SparseRows& A, const SparseRows& B)
+template <typename Rows>
+SparseRows Multiply(const Rows& A, const SparseRows& B, Index expectedEntries)
 {
-  return MakeSparseRows(static_cast<Index>(A.rows()), static_cast<Index>(B.cols()),
+  return MakeSparseRows(A.Size(), static_cast<Index>(B.cols()), expectedEntries,
     [&](Index i, const auto& add)
     {
-      for (SparseRows::InnerIterator a(A, i); a; ++a)
-      {
-        for (SparseRows::InnerIterator b(B, a.col()); b; ++b)
+      A.ForEachEntry(i,
+        [&](Index k, float a)
         {
-          add(b.col(), a.value() * b.value());
-        }
-      }
+          for (SparseRows::InnerIterator b(B, k); b; ++b)
+          {
+            add(static_cast<Index>(b.col()), a * b.value());
+          }
+        });
     });
 }
 }

@@ -3,31 +3,47 @@
 #ifndef lmo_SquaredPreconditioner_h
 #define lmo_SquaredPreconditioner_h
 
-#include "LeastSquaresProblem.h"
-#include "Multigrid.h"
+#include "Parallel.h"
+#include "ShiftedStiffness.h"
 
 namespace lmo
 {
-/// M = (K + R) Q (K + R) with R = W_p / sqrt(Q): the square of a second-order operator, close to
-/// A = K Q K + W_p^2 however different in size its two terms are. (K + R)^-1 is one multigrid
-/// cycle. The couplings of x, y and z are left to the iteration.
+/// M = (K + R) Q (K + R). The couplings of x, y and z are left to the iteration.
+/// \tparam Inverse (K + R)^-1 or a symmetric approximation: Apply(rightHandSide, solution)
+template <typename Inverse>
 class SquaredPreconditioner
 {
 public:
   static constexpr bool IsRowWise = false;
 
-  /// Keeps references to the arguments.
-  SquaredPreconditioner(const LeastSquaresProblem& problem, const PackedStiffness<float>& K);
+  explicit SquaredPreconditioner(const ShiftedStiffness& matrix)
+    : Factor(matrix)
+    , InverseQ(matrix.inverseQ)
+    , Intermediate(4, matrix.Size())
+    , Result(4, matrix.Size())
+  {
+  }
 
   /// Computes M^-1 residual.
-  void Prepare(const PackedPoints<float>& residual);
+  void Prepare(const PackedPoints<float>& residual)
+  {
+    this->Factor.Apply(residual, this->Intermediate);
+    ParallelFor(static_cast<Index>(this->InverseQ.size()),
+      [x = View(this->Intermediate), inverseQ = this->InverseQ.data()](Index i) mutable
+      { x.col(i) *= inverseQ[i]; });
+    this->Factor.Apply(this->Intermediate, this->Result);
+  }
 
-  PackedRow<float> Row(Index i, const PackedRow<float>&) const { return this->Result.col(i); }
+  /// The rows of M^-1 residual; cheap to copy.
+  auto GetRows() const
+  {
+    return [result = View(this->Result)](Index i, const PackedRow<float>&)
+    { return PackedRow<float>(result.col(i)); };
+  }
 
 private:
-  const LeastSquaresProblem& Problem;
-  Multigrid::Values InverseQ; ///< 0 at fixed vertices
-  Multigrid Inverse;          ///< of K + R
+  Inverse Factor;
+  const ShiftedStiffness::Values& InverseQ;
   PackedPoints<float> Intermediate;
   PackedPoints<float> Result;
 };

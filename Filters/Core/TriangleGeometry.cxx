@@ -41,23 +41,20 @@ auto SumOverCorners(const MeshTopology& topology, Index i, const Value& value)
   return sum;
 }
 
-/// Shares of the corners of triangle t in the mixed Voronoi areas of its vertices.
-Vector3 MixedVoronoiShares(
-  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index t)
+/// Share of a corner's triangle in the mixed Voronoi area of its vertex.
+double MixedVoronoiShare(
+  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index corner)
 {
-  const Vector3 c = cotangents.row(t);
-  if (c.minCoeff() < 0)
+  const CornerEdges edges(V, triangles, corner);
+  const double here = cotangents.data()[corner];
+  const double next = cotangents.data()[NextCorner(corner)];
+  const double previous = cotangents.data()[PreviousCorner(corner)];
+  if (std::min({ here, next, previous }) < 0)
   {
-    const double area = 0.5 * ScaledNormal(V, triangles, t).norm();
-    return area * (c.array() < 0).select(Vector3::Constant(0.5), 0.25);
+    const double area = 0.5 * edges.next.cross(edges.previous).norm();
+    return here < 0 ? area / 2 : area / 4;
   }
-  const Vector3 a = V.row(triangles(t, 0));
-  const Vector3 b = V.row(triangles(t, 1));
-  const Vector3 d = V.row(triangles(t, 2));
-  const double ab = (b - a).squaredNorm() * c[2];
-  const double bd = (d - b).squaredNorm() * c[0];
-  const double da = (a - d).squaredNorm() * c[1];
-  return Vector3(ab + da, ab + bd, bd + da) / 8;
+  return (edges.next.squaredNorm() * previous + edges.previous.squaredNorm() * next) / 8;
 }
 }
 
@@ -87,12 +84,13 @@ CornerValues Cotangents(const Points& V, const Triangles& triangles)
 Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const MeshTopology& topology,
   const CornerValues& cotangents)
 {
-  CornerValues shares(triangles.rows(), 3);
-  ParallelFor(static_cast<Index>(triangles.rows()),
-    [&](Index t) { shares.row(t) = MixedVoronoiShares(V, triangles, cotangents, t); });
   Vector areas(V.rows());
-  ParallelFor(topology.vertices, [&](Index i)
-    { areas[i] = SumOverCorners(topology, i, [&](Index c) { return shares.data()[c]; }); });
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      areas[i] = SumOverCorners(topology, i,
+        [&](Index corner) { return MixedVoronoiShare(V, triangles, cotangents, corner); });
+    });
   return areas;
 }
 

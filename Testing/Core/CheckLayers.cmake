@@ -24,8 +24,12 @@ set(layers
   PackedStiffness
   PackedEquations
   Preconditioner
+  ShiftedStiffness
   SparseProduct
+  SmoothedAggregation
+  Ordering
   Multigrid
+  StiffnessFactorisation
   SquaredPreconditioner
   ConjugateGradient
   DirectSolver

@@ -18,9 +18,30 @@ MeshTopology Topology(const TestMesh& mesh)
   return BuildTopology(static_cast<Index>(mesh.V.rows()), mesh.T);
 }
 
+/// \param ids ascending
 bool AreListed(const AdjacencyLists& lists, Index i, const std::vector<Index>& ids)
 {
-  return std::vector<Index>(lists.Begin(i), lists.End(i)) == ids;
+  std::vector<Index> listed(lists.Begin(i), lists.End(i));
+  std::sort(listed.begin(), listed.end());
+  return listed == ids;
+}
+
+/// Corners of fans that do not lie between the neighbours they should.
+Index WrongFans(const TestMesh& mesh)
+{
+  const MeshTopology topology = Topology(mesh);
+  Index wrong = 0;
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    const Index* ring = topology.oneRings.Begin(i);
+    for (Index k = 0; topology.isFan[i] && k < topology.cornersAt.Size(i); ++k)
+    {
+      const Index corner = topology.cornersAt.Begin(i)[k];
+      wrong += mesh.T.data()[NextCorner(corner)] != ring[k];
+      wrong += mesh.T.data()[PreviousCorner(corner)] != ring[(k + 1) % topology.oneRings.Size(i)];
+    }
+  }
+  return wrong;
 }
 
 Index WrongOneRings(const TestMesh& mesh)
@@ -70,13 +91,16 @@ void CheckHandMadeMeshes(Checks& c)
     "a ring's centre has the ring as neighbours", AreListed(cross.oneRings, 0, { 1, 2, 3, 4 }));
   c.True("a ring's edges are the boundary", AreListed(cross.boundaryEdges, 1, { 2, 4 }));
   c.True("a ring's centre is no boundary", !cross.isBoundary[0] && cross.isBoundary[1]);
-  c.True("a neighbour is found in its list", cross.oneRings.Find(0, 3) == 2);
 
+
+  c.True("the corners around a ring's centre and at its boundary are fans",
+    cross.isFan[0] && cross.isFan[1]);
   const MeshTopology wings = Topology(ThreeWings());
   c.True(
     "the edge of three triangles joins its ends", AreListed(wings.oneRings, 0, { 1, 2, 3, 4 }));
   c.True(
     "the edge of three triangles is no boundary", AreListed(wings.boundaryEdges, 0, { 2, 3, 4 }));
+  c.True("the corners at an edge of three triangles are no fan", !wings.isFan[0]);
 
   const MeshTopology collapsed = Topology(WithTriangle(WithIsolatedPoint(Cube()), 0, 0, 5));
   c.True("a collapsed triangle has no neighbours",
@@ -113,6 +137,7 @@ int TestTopology(int, char*[])
   {
     c.True("one-rings are right: " + name, WrongOneRings(mesh) == 0);
     c.True("triangles at vertices are right: " + name, WrongTrianglesAtVertices(mesh) == 0);
+    c.True("corners of fans are between their neighbours: " + name, WrongFans(mesh) == 0);
     c.True("boundary is right: " + name, WrongBoundaryFlags(mesh) == 0);
   }
   CheckHandMadeMeshes(c);

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ShiftedStiffness.h"
+
+#include "Parallel.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+constexpr double SmallestRelativeQ = 1e-6; ///< where a row is empty: relative to the largest
+constexpr double SmallestRelativeR = 1e-6; ///< where W_p = 0: relative to E
+}
+
+ShiftedStiffness::ShiftedStiffness(
+  const LeastSquaresProblem& problem, const PackedStiffness<float>& K)
+  : L(problem.L)
+  , K(K)
+  , shift(problem.Size())
+  , inverseQ(problem.Size())
+  , isFixed(problem.Size())
+{
+  Vector Q(problem.Size());
+  ParallelFor(problem.Size(), [&](Index i) { Q[i] = RowWeight(problem, i); });
+  const double smallestQ = SmallestRelativeQ * Q.maxCoeff();
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    {
+      const double q = std::max(Q[i], smallestQ);
+      const double sum = WeightSum(problem.L, i);
+      const double least = sum > 0 ? SmallestRelativeR * sum : 1;
+      this->isFixed[i] = problem.motion.freedom[i] == MotionConstraints::FIXED;
+      this->inverseQ[i] = static_cast<float>(this->isFixed[i] ? 0 : 1 / q);
+      this->shift[i] =
+        static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(q), least));
+    });
+}
+}

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_ShiftedStiffness_h
+#define lmo_ShiftedStiffness_h
+
+#include "LeastSquaresProblem.h"
+#include "PackedStiffness.h"
+
+namespace lmo
+{
+/// K + R with R = W_p / sqrt(Q): (K + R) Q (K + R) is close to A = K Q K + W_p^2, however different
+/// in size its two terms are. Bounds keep it and Q from being singular. Fixed vertices are left
+/// out: their unknowns are 0.
+struct ShiftedStiffness
+{
+  using Values = Eigen::ArrayXf;
+
+  const Laplacian& L;
+  const PackedStiffness<float>& K;
+  Values shift;    ///< diagonal of R, > 0
+  Values inverseQ; ///< > 0, but 0 at fixed vertices
+  Mask isFixed;
+
+  /// Keeps references to the Laplacian and to \a K, which is made from it.
+  ShiftedStiffness(const LeastSquaresProblem& problem, const PackedStiffness<float>& K);
+
+  Index Size() const { return static_cast<Index>(this->shift.size()); }
+
+  /// Calls add(column, value) for the entries of row i; a fixed vertex has a row of the identity.
+  template <typename Add>
+  void ForEachEntry(Index i, const Add& add) const
+  {
+    if (this->isFixed[i])
+    {
+      add(i, 1.0);
+      return;
+    }
+    add(i, this->shift[i] + WeightSum(this->L, i));
+    const AdjacencyLists& rings = *this->L.rings;
+    for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
+    {
+      if (!this->isFixed[rings.ids[k]])
+      {
+        add(rings.ids[k], this->L.edgeWeights ? -(*this->L.edgeWeights)[k] : -1.0);
+      }
+    }
+  }
+};
+}
+
+#endif
