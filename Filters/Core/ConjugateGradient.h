@@ -46,9 +46,9 @@ public:
     const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M);
 
   /// Improves \a solution, whose residual must be up to date, until it meets the tolerance, the
-  /// iterations are used up or the precision of Scalar allows no progress. \param affordable number
-  /// of iterations; gives up before if it will clearly take more \throw Cancelled if the monitor
-  /// says so; it is asked in every iteration.
+  /// iterations are used up, the precision of Scalar allows no progress or more than \a affordable
+  /// further iterations are predicted. Predictions are low where the residual falls ever slower.
+  /// \throw Cancelled if the monitor says so; it is asked in every iteration.
   void Run(const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution);
 
 private:
@@ -57,8 +57,8 @@ private:
   /// A residual this much smaller than the last one computed in double is computed anew.
   static constexpr double ReplacementRatio = 1e-3;
 
-  /// Iterations before their number is predicted.
-  static constexpr Index TrialIterations = 30;
+  /// The number of iterations is predicted after this share of the affordable ones.
+  static constexpr Index TrialShare = 5;
 
   /// Takes over the residual of \a solution.
   void Pack(const Solution& solution);

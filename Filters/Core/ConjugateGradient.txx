@@ -6,6 +6,7 @@
 #include "Parallel.h"
 
 #include <utility>
+#include <vector>
 
 namespace lmo
 {
@@ -13,6 +14,17 @@ namespace lmo
 inline Dots DivideDots(const Dots& a, const Dots& b)
 {
   return (a > 0 && b > 0).select(a / b, 0.0);
+}
+
+/// How many more iterations it takes to the tolerance, if the norms go on to fall as in the second
+/// half of what there is.
+inline double PredictIterations(const std::vector<double>& norms, double tolerance)
+{
+  const std::size_t done = norms.size() - 1;
+  const std::size_t half = done / 2;
+  const double fall = std::log(norms[half] / norms[done]);
+  const double left = std::log(norms[done] / tolerance);
+  return left <= 0 ? 0 : fall <= 0 ? HUGE_VAL : left / fall * (done - half);
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -33,8 +45,7 @@ template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::Run(
   const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
 {
-  const double startingNorm = solution.relativeResidual;
-  const Index startingIteration = solution.iterations;
+  std::vector<double> norms{ solution.relativeResidual };
   this->Scale = solution.rightHandSideNorm;
   ParallelFor(this->Problem.Size(),
     [direction = View(this->Direction), steps = View(this->Steps)](Index i) mutable
@@ -52,10 +63,9 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
     const double norm = this->StepResidual();
     ++solution.iterations;
     monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
-    const Index done = solution.iterations - startingIteration;
-    const bool isHopeless =
-      done >= TrialIterations && done * std::log(options.tolerance / startingNorm) <
-                                   affordable * std::log(norm / startingNorm);
+    norms.push_back(norm);
+    const bool isHopeless = static_cast<Index>(norms.size()) > affordable / TrialShare &&
+                            PredictIterations(norms, options.tolerance) > affordable;
     const bool isLast = solution.iterations == options.maximumIterations ||
                         !(this->Alpha > 0).any() || !(norm > options.tolerance) || isHopeless;
     if (isLast || norm < ReplacementRatio * solution.relativeResidual)

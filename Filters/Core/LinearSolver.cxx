@@ -15,8 +15,8 @@ namespace lmo
 {
 namespace
 {
-/// Iterations after which another preconditioner has paid for its setup.
-constexpr Index AffordableJacobiIterations = 400;
+/// Predicted iterations above which another preconditioner pays for its setup.
+constexpr Index AffordableJacobiIterations = 250;
 constexpr Index AffordableMultigridIterations = 60;
 
 bool IsSolved(const Solution& solution, const SolverOptions& options)

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ThreadTeam.h"
 
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -19,24 +21,25 @@ thread_local ThreadTeam* CurrentTeam = nullptr;
 template <typename Condition>
 bool Poll(const Condition& condition)
 {
-  constexpr int looks = 2000;
-  for (int k = 0; k < looks; ++k)
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point end = Clock::now() + std::chrono::microseconds(300);
+  do
   {
-    if (condition())
+    for (int k = 0; k < 256; ++k)
     {
-      return true;
+      if (condition())
+      {
+        return true;
+      }
     }
-    if (k % 64 == 63)
-    {
-      std::this_thread::yield();
-    }
-  }
+    std::this_thread::yield();
+  } while (Clock::now() < end);
   return false;
 }
 }
 
-/// A job is a number of tasks. Its generation is part of the counter from which tasks are taken, so
-/// that a thread which wakes up late takes none of the next job for its own.
+/// A job is a number of tasks. Each thread begins with the same share of them every time, because
+/// their data may still be in its cache, and then helps the others.
 class ThreadTeam::Implementation
 {
 public:
@@ -44,7 +47,7 @@ public:
   {
     for (int k = 1; k < threads; ++k)
     {
-      this->Threads.emplace_back([this] { this->Work(); });
+      this->Threads.emplace_back([this, k] { this->Work(k); });
     }
   }
 
@@ -73,12 +76,11 @@ public:
       this->Count = count;
       this->Done = 0;
       generation = this->Generation + 1;
-      this->Next = std::uint64_t(generation) << 32;
       this->Generation = generation;
     }
     this->Wake.notify_all();
-    this->TakeTasks(generation, count, task);
-    const auto isDone = [&] { return this->Done == count; };
+    this->TakeTasks(0, generation, count, task);
+    const auto isDone = [&] { return this->Done == std::min(count, LargestNumberOfShares); };
     if (!Poll(isDone))
     {
       std::unique_lock<std::mutex> lock(this->Mutex);
@@ -91,7 +93,7 @@ public:
   }
 
 private:
-  void Work()
+  void Work(int member)
   {
     std::uint32_t seen = 0;
     while (true)
@@ -108,44 +110,59 @@ private:
       const Index count = this->Count;
       const std::function<void(Index)>* task = this->Task;
       lock.unlock();
-      this->TakeTasks(seen, count, *task);
+      this->TakeTasks(member, seen, count, *task);
     }
   }
 
   /// \param task is not touched unless a task of this generation is left, and then it is alive.
-  void TakeTasks(std::uint32_t generation, Index count, const std::function<void(Index)>& task)
+  void TakeTasks(
+    int member, std::uint32_t generation, Index count, const std::function<void(Index)>& task)
   {
-    std::uint64_t next = this->Next;
-    while (next >> 32 == generation && Index(next & 0xffffffffu) < count)
+    const Index shares = std::min(count, LargestNumberOfShares);
+    const auto bound = [&](Index share)
+    { return static_cast<Index>(std::int64_t(count) * share / shares); };
+    const Index first = shares * member / this->Size();
+    for (Index k = 0; k < shares; ++k)
     {
-      if (!this->Next.compare_exchange_weak(next, next + 1))
+      const Index share = (first + k) % shares;
+      std::uint32_t last = this->Taken[share];
+      if (last < generation && this->Taken[share].compare_exchange_strong(last, generation))
       {
-        continue;
+        this->RunTasks(bound(share), bound(share + 1), task);
+        if (++this->Done == shares)
+        {
+          std::lock_guard<std::mutex> lock(this->Mutex);
+          this->AllDone.notify_one();
+        }
       }
-      try
-      {
-        task(Index(next & 0xffffffffu));
-      }
-      catch (...)
-      {
-        std::lock_guard<std::mutex> lock(this->Mutex);
-        this->Error = this->Error ? this->Error : std::current_exception();
-      }
-      if (++this->Done == count)
-      {
-        std::lock_guard<std::mutex> lock(this->Mutex);
-        this->AllDone.notify_one();
-      }
-      next = this->Next;
     }
   }
+
+  void RunTasks(Index begin, Index end, const std::function<void(Index)>& task)
+  {
+    try
+    {
+      for (Index k = begin; k < end; ++k)
+      {
+        task(k);
+      }
+    }
+    catch (...)
+    {
+      std::lock_guard<std::mutex> lock(this->Mutex);
+      this->Error = this->Error ? this->Error : std::current_exception();
+    }
+  }
+
+  static constexpr Index LargestNumberOfShares = 64;
 
   std::vector<std::thread> Threads;
   std::mutex Mutex;
   std::condition_variable Wake;
   std::condition_variable AllDone;
   std::atomic<std::uint32_t> Generation{ 0 };
-  std::atomic<std::uint64_t> Next{ 0 }; ///< generation and number of the next task
+  std::array<std::atomic<std::uint32_t>, LargestNumberOfShares>
+    Taken{}; ///< last generation of each
   std::atomic<Index> Done{ 0 };
   const std::function<void(Index)>* Task = nullptr;
   Index Count = 0;
