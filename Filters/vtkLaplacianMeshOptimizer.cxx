@@ -196,9 +196,9 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
   options.computeNormals = this->Filter->ComputeNormals && hasNormals;
   options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
   const lmo::VertexArrays arrays = this->ReadArrays(input);
-  this->Prepare(input);
-
   lmo::FilterMonitor monitor(this->Filter);
+  monitor.Begin("Reading the mesh");
+  this->Prepare(input);
   const lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
@@ -207,6 +207,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
+  monitor.Begin("Writing the result");
   output->ShallowCopy(input);
   this->WritePoints(result, input, output);
   this->WriteFigures(result, output->GetFieldData());

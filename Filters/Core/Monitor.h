@@ -15,6 +15,14 @@ class Monitor
 public:
   virtual ~Monitor() = default;
 
+  /// Reports the stage that begins.
+  /// \throw Cancelled if the user asked to stop.
+  void Begin(const char* stage)
+  {
+    this->ShowStage(stage);
+    this->Report(0);
+  }
+
   /// Reports the finished fraction, 0 to 1. Never shows less than before.
   /// \throw Cancelled if the user asked to stop.
   void Report(double fraction)
@@ -28,6 +36,7 @@ public:
   }
 
 protected:
+  virtual void ShowStage(const char*) {}
   virtual void ShowProgress(double) {}
   virtual bool IsCancelled() { return false; }
 

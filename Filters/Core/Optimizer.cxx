@@ -78,14 +78,15 @@ OptimizerResult Optimizer::Run(
 OptimizerResult Optimizer::RunInOrder(
   const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
 {
-  monitor.Report(0);
+  monitor.Begin("Setting up the equations");
   MeshAnalysis& mesh = *this->Mesh;
   const Points& V = mesh.GetPoints();
   const std::optional<FeatureLines> boundary = SlidingBoundary(mesh, options.boundaryCondition);
   LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, boundary);
-  monitor.Report(0);
+  monitor.Begin("Solving");
   const Solution solution = Solve(problem, options.solverType, options.solver, monitor);
 
+  monitor.Begin("Comparing the surfaces");
   OptimizerResult result;
   result.positions = V + solution.displacement;
   if (boundary)

@@ -11,6 +11,7 @@
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -37,6 +38,12 @@ public:
   }
 
 protected:
+  void ShowStage(const char* stage) override
+  {
+    this->Filter->SetProgressText(stage);
+    this->Filter->UpdateProgress(std::max(this->Shown, 0.0));
+  }
+
   void ShowProgress(double fraction) override
   {
     constexpr double step = 0.01;
