@@ -9,7 +9,7 @@ Solution Start(const LeastSquaresProblem& problem)
   Solution solution;
   solution.displacement = Points::Zero(problem.Size(), 3);
   solution.residual.resize(problem.Size(), 3);
-  solution.rightHandSideNorm = ComputeResidual(problem, solution.displacement,
+  solution.rightHandSideNorm = ComputeResidual(problem, Points(0, 3),
     [&](Index i, const Vector3& residual) { solution.residual.row(i) = residual; });
   solution.relativeResidual = solution.rightHandSideNorm > 0 ? 1 : 0;
   return solution;

@@ -41,14 +41,21 @@ Points WeightedRows(const LeastSquaresProblem& problem, const Points& d)
     [&](Index i)
     {
       const double weight = problem.laplacianWeights[i];
-      y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i) +
-                 RowWeight(problem, i) * StiffnessRow(L, d, i);
+      y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i);
+      if (d.rows() > 0)
+      {
+        y.row(i) += RowWeight(problem, i) * StiffnessRow(L, d, i);
+      }
     });
   return y;
 }
 
 Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i)
 {
+  if (d.rows() == 0)
+  {
+    return Vector3::Zero();
+  }
   const double weight = problem.positionWeights[i];
   Vector3 force = -weight * weight * d.row(i);
   if (problem.tangentPlaneNormals.rows() > 0)
@@ -65,7 +72,11 @@ Points LineForces(const LeastSquaresProblem& problem, const Points& d)
   Points forces = Points::Zero(problem.lineRows.empty() ? 0 : problem.Size(), 3);
   for (const LineRow& row : problem.lineRows)
   {
-    const Vector3 rowValue = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
+    Vector3 rowValue = Vector3::Zero();
+    if (d.rows() > 0)
+    {
+      rowValue = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
+    }
     const Vector3 force = row.weight * row.weight * (row.target - rowValue);
     forces.row(row.previous) += 0.5 * force;
     forces.row(row.next) += 0.5 * force;

@@ -82,6 +82,7 @@ Vector Diagonal(const LeastSquaresProblem& problem);
 /// b - A d, the residual of the normal equations within the motion allowed. The matrix
 /// A = K Q K + line rows + W_p^2 + w^2 n n^T is applied, never formed; b = L^T W_L^2 c is the
 /// residual of d = 0.
+/// \param d no rows stand for 0
 /// \param store called once for each vertex, on several threads, as store(i, residual of i)
 /// \return its norm, the same for any number of threads
 template <typename Store>
@@ -90,7 +91,8 @@ double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, cons
 /// What ComputeResidual() computes, one row per vertex.
 Points Residual(const LeastSquaresProblem& problem, const Points& d);
 
-/// The rows y = G W_L^2 c + Q K d, with which L^T W_L^2 (c - L d) is -K y.
+/// The rows y = G W_L^2 c + Q K d, with which L^T W_L^2 (c - L d) is -K y. As below, no rows of d
+/// stand for 0.
 Points WeightedRows(const LeastSquaresProblem& problem, const Points& d);
 
 /// Part of the residual at vertex i that the other rows give: positions and tangent planes.

@@ -28,10 +28,29 @@ void Restore(const std::vector<Index>& oldNumbers, Values& values)
   }
 }
 
-void RoundToFloat(Points& points)
+/// Sets V' and V' - V.
+void Move(const Points& V, const Points& d, const OptimizerOptions& options,
+  const std::optional<FeatureLines>& boundary, OptimizerResult& result)
 {
-  ParallelFor(static_cast<Index>(points.rows()),
-    [&](Index i) { points.row(i) = points.row(i).cast<float>().cast<double>(); });
+  result.positions.resize(V.rows(), 3);
+  const auto size = static_cast<Index>(V.rows());
+  ParallelFor(size, [&](Index i) { result.positions.row(i) = V.row(i) + d.row(i); });
+  if (boundary)
+  {
+    ProjectOntoLines(*boundary, V, result.positions);
+  }
+  result.displacements.resize(V.rows(), 3);
+  ParallelFor(size,
+    [&](Index i)
+    {
+      Vector3 position = result.positions.row(i);
+      if (options.roundToFloat)
+      {
+        position = position.cast<float>().cast<double>();
+        result.positions.row(i) = position;
+      }
+      result.displacements.row(i) = position - V.row(i);
+    });
 }
 }
 
@@ -88,16 +107,7 @@ OptimizerResult Optimizer::RunInOrder(
 
   monitor.Begin("Comparing the surfaces");
   OptimizerResult result;
-  result.positions = V + solution.displacement;
-  if (boundary)
-  {
-    ProjectOntoLines(*boundary, V, result.positions);
-  }
-  if (options.roundToFloat)
-  {
-    RoundToFloat(result.positions);
-  }
-  result.displacements = result.positions - V;
+  Move(V, solution.displacement, options, boundary, result);
   result.meanCurvatures = mesh.GetMeanCurvatures();
   result.positionWeights = std::move(problem.positionWeights);
   result.laplacianWeights = std::move(problem.laplacianWeights);

@@ -99,19 +99,6 @@ Value ParallelSum(Index count, const Value& zero, const Body& body)
   }
   return total;
 }
-
-/// Sorts ascending; the result does not depend on the threads.
-template <typename Iterator>
-void ParallelSort(Iterator begin, Iterator end)
-{
-  const Index parts = 4;
-  const auto count = end - begin;
-  const auto bound = [&](Index part) { return begin + count * part / parts; };
-  ParallelTasks(parts, [&](Index part) { std::sort(bound(part), bound(part + 1)); });
-  ParallelTasks(2, [&](Index half)
-    { std::inplace_merge(bound(2 * half), bound(2 * half + 1), bound(2 * half + 2)); });
-  std::inplace_merge(begin, bound(2), end);
-}
 }
 
 #endif

@@ -49,12 +49,13 @@ Mask FixedVertices(
   const MeshTopology& topology, BoundaryCondition condition, const VertexArrays& arrays)
 {
   Mask isFixed(topology.vertices);
-  for (Index i = 0; i < topology.vertices; ++i)
-  {
-    isFixed[i] = !topology.isUsed[i] ||
-                 (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
-                 (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
-  }
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      isFixed[i] = !topology.isUsed[i] ||
+                   (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
+                   (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
+    });
   return isFixed;
 }
 
@@ -83,18 +84,27 @@ Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
 Points ChooseTarget(MeshAnalysis& mesh, const Laplacian& L, const OptimizerOptions& options,
   const VertexArrays& arrays)
 {
-  Points target = Apply(L, mesh.GetPoints());
-  switch (options.mode)
+  const Points* f = nullptr;
+  if (options.mode == Mode::OPTIMIZE_TRIANGLES)
   {
-    case Mode::OPTIMIZE_TRIANGLES:
-      return mesh.GetDetailLaplacians() - target;
-    case Mode::PRESCRIBED_LAPLACIANS:
-      return Require(arrays.prescribedLaplacians,
-               "The mode needs a point array of prescribed Laplacians with 3 components") -
-             target;
-    default:
-      return -target;
+    f = &mesh.GetDetailLaplacians();
   }
+  else if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
+  {
+    f = &Require(arrays.prescribedLaplacians,
+      "The mode needs a point array of prescribed Laplacians with 3 components");
+  }
+  Points target = Apply(L, mesh.GetPoints());
+  ParallelFor(static_cast<Index>(target.rows()),
+    [&](Index i)
+    {
+      target.row(i) = -target.row(i);
+      if (f)
+      {
+        target.row(i) += f->row(i);
+      }
+    });
+  return target;
 }
 
 MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
@@ -102,15 +112,16 @@ MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOpti
 {
   MotionConstraints motion;
   motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
-  for (std::size_t i = 0; i < motion.freedom.size(); ++i)
-  {
-    const bool isFixed =
-      motion.freedom[i] || (boundary && boundary->pointClass[i] == FeatureLines::CORNER);
-    const bool slides = boundary && boundary->pointClass[i] == FeatureLines::EDGE;
-    motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
-                        : slides ? MotionConstraints::ALONG_LINE
-                                 : MotionConstraints::FREE;
-  }
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const bool isFixed =
+        motion.freedom[i] || (boundary && boundary->pointClass[i] == FeatureLines::CORNER);
+      const bool slides = boundary && boundary->pointClass[i] == FeatureLines::EDGE;
+      motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
+                          : slides ? MotionConstraints::ALONG_LINE
+                                   : MotionConstraints::FREE;
+    });
   if (boundary)
   {
     motion.tangents = boundary->tangents;

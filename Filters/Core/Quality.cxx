@@ -69,9 +69,22 @@ MeshQuality MeasureQuality(const Points& V, const Triangles& triangles)
   const auto count = static_cast<Index>(triangles.rows());
   if (count > 0)
   {
-    quality.mean =
-      ParallelSum(count, 0.0, [&](double& sum, Index t) { sum += quality.triangles[t]; }) / count;
-    quality.minimum = quality.triangles.minCoeff();
+    struct Summary
+    {
+      double sum = 0;
+      double minimum = 1;
+      void operator+=(const Summary& other)
+      {
+        this->sum += other.sum;
+        this->minimum = std::min(this->minimum, other.minimum);
+      }
+    };
+    const Summary summary = ParallelSum(count, Summary(),
+      [&](Summary& partial, Index t) {
+        partial += { quality.triangles[t], quality.triangles[t] };
+      });
+    quality.mean = summary.sum / count;
+    quality.minimum = summary.minimum;
   }
   return quality;
 }

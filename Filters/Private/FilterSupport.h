@@ -61,8 +61,8 @@ private:
   double Shown = -1;
 };
 
-/// Calls body() with the threads that vtkSMPTools provides: as the user chose, otherwise one for each
-/// processor; VTK's default backend is often the sequential one.
+/// Calls body() with the threads that vtkSMPTools provides: as the user chose, otherwise one for
+/// each processor; VTK's default backend is often the sequential one.
 template <typename Body>
 void RunOnThreads(const Body& body)
 {
@@ -77,7 +77,7 @@ void RunOnThreads(const Body& body)
     body();
   };
   const bool isChosen = std::getenv("VTK_SMP_BACKEND_IN_USE") ||
-    std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
+                        std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
   if (isChosen)
   {
     run();

@@ -74,36 +74,36 @@ Rows ReadTuples(vtkDataArray* array)
   return rows;
 }
 
-template <typename Rows>
-Faults FindNotFinite(const Rows& rows)
+/// Rows with a value that is not in order, which includes NaN.
+template <typename Rows, typename IsInOrder>
+Faults FindFaults(const Rows& rows, const IsInOrder& isInOrder)
 {
+  const auto count = static_cast<Index>(rows.rows());
+  const auto isFaulty = [&](Index i) { return !isInOrder(rows.row(i)); };
+  const bool isClean =
+    ParallelSum(count, Index(0), [&](Index& sum, Index i) { sum += isFaulty(i); }) == 0;
   Faults faults;
-  if (!rows.allFinite())
+  for (Index i = 0; i < count && !isClean; ++i)
   {
-    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+    if (isFaulty(i))
     {
-      if (!rows.row(i).allFinite())
-      {
-        faults.Add(i);
-      }
+      faults.Add(i);
     }
   }
   return faults;
+}
+
+template <typename Rows>
+Faults FindNotFinite(const Rows& rows)
+{
+  return FindFaults(rows, [](const auto& row) { return row.allFinite(); });
 }
 
 /// Points so far out that areas and volumes overflow.
 Faults FindHuge(const Points& points)
 {
   constexpr double largest = 1e70;
-  Faults faults;
-  for (Eigen::Index i = 0; i < points.rows(); ++i)
-  {
-    if (points.row(i).cwiseAbs().maxCoeff() > largest)
-    {
-      faults.Add(i);
-    }
-  }
-  return faults;
+  return FindFaults(points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= largest; });
 }
 
 std::string NameOf(vtkDataArray* array)
@@ -283,14 +283,7 @@ Vector ReadScalars(vtkDataArray* array, vtkIdType points)
 Vector ReadWeights(vtkDataArray* array, vtkIdType points)
 {
   Vector weights = ReadScalars(array, points);
-  Faults negative;
-  for (Eigen::Index i = 0; i < weights.size(); ++i)
-  {
-    if (weights[i] < 0)
-    {
-      negative.Add(i);
-    }
-  }
+  const Faults negative = FindFaults(weights, [](const auto& row) { return row[0] >= 0; });
   negative.ThrowIfAny(
     ("weights in the point array '" + std::string(array->GetName()) + "' are negative").c_str(),
     "point", "Weights must be 0 or more.");
@@ -300,6 +293,23 @@ Vector ReadWeights(vtkDataArray* array, vtkIdType points)
 Points ReadVectors(vtkDataArray* array, vtkIdType points)
 {
   return ReadArray<Points>(array, points);
+}
+
+namespace
+{
+template <typename Rows>
+vtkSmartPointer<vtkDoubleArray> CopyRows(const char* name, const Rows& rows)
+{
+  constexpr int columns = Rows::ColsAtCompileTime;
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(columns);
+  array->SetNumberOfTuples(rows.rows());
+  ParallelRanges(static_cast<Index>(rows.rows()),
+    [from = rows.data(), to = array->GetPointer(0)](std::ptrdiff_t begin, std::ptrdiff_t end)
+    { std::copy(from + columns * begin, from + columns * end, to + columns * begin); });
+  return array;
+}
 }
 
 vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input)
@@ -333,21 +343,12 @@ vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input)
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfTuples(values.size());
-  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
-  return array;
+  return CopyRows(name, values);
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values)
 {
-  auto array = vtkSmartPointer<vtkDoubleArray>::New();
-  array->SetName(name);
-  array->SetNumberOfComponents(3);
-  array->SetNumberOfTuples(values.rows());
-  std::copy(values.data(), values.data() + values.size(), array->GetPointer(0));
-  return array;
+  return CopyRows(name, values);
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
@@ -358,13 +359,21 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
 void AddRadiusRatios(const char* name, const MeshQuality& quality,
   const TriangleCells& triangleCells, vtkPolyData* output)
 {
-  Vector cells = Vector::Constant(output->GetNumberOfCells(), UndefinedQuality);
-  for (Index t = 0; t < quality.triangles.size(); ++t)
+  const vtkIdType count = output->GetNumberOfCells();
+  if (triangleCells.cells.empty() && count == quality.triangles.size())
   {
-    double& cell = cells[triangleCells(t)];
-    cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
+    output->GetCellData()->AddArray(MakeArray(name, quality.triangles));
   }
-  output->GetCellData()->AddArray(MakeArray(name, cells));
+  else
+  {
+    Vector cells = Vector::Constant(count, UndefinedQuality);
+    for (Index t = 0; t < quality.triangles.size(); ++t)
+    {
+      double& cell = cells[triangleCells(t)];
+      cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
+    }
+    output->GetCellData()->AddArray(MakeArray(name, cells));
+  }
   output->GetPointData()->AddArray(MakeArray(name, quality.vertices));
 }
 
