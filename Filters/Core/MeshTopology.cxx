@@ -19,37 +19,6 @@ void AccumulateOffsets(std::vector<Index>& offsets)
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
 }
 
-AdjacencyLists BuildCornersAt(Index vertices, const Triangles& triangles)
-{
-  AdjacencyLists lists;
-  lists.offsets.assign(vertices + 1, 0);
-  const auto count = static_cast<Index>(triangles.rows());
-  for (Index t = 0; t < count; ++t)
-  {
-    if (!IsCollapsed(triangles, t))
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        ++lists.offsets[triangles(t, corner) + 1];
-      }
-    }
-  }
-  AccumulateOffsets(lists.offsets);
-  lists.ids.resize(lists.offsets.back());
-  std::vector<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
-  for (Index t = 0; t < count; ++t)
-  {
-    if (!IsCollapsed(triangles, t))
-    {
-      for (int corner = 0; corner < 3; ++corner)
-      {
-        lists.ids[next[triangles(t, corner)]++] = 3 * t + corner;
-      }
-    }
-  }
-  return lists;
-}
-
 /// The neighbours of a vertex, and those across a boundary edge.
 class RingCollector
 {
@@ -180,6 +149,37 @@ void Place(const std::vector<RangeOfLists>& ranges, std::vector<Index> RangeOfLi
 }
 }
 
+AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles)
+{
+  AdjacencyLists lists;
+  lists.offsets.assign(vertices + 1, 0);
+  const auto count = static_cast<Index>(triangles.rows());
+  for (Index t = 0; t < count; ++t)
+  {
+    if (!IsCollapsed(triangles, t))
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        ++lists.offsets[triangles(t, corner) + 1];
+      }
+    }
+  }
+  AccumulateOffsets(lists.offsets);
+  lists.ids.resize(lists.offsets.back());
+  std::vector<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
+  for (Index t = 0; t < count; ++t)
+  {
+    if (!IsCollapsed(triangles, t))
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        lists.ids[next[triangles(t, corner)]++] = 3 * t + corner;
+      }
+    }
+  }
+  return lists;
+}
+
 bool MeshTopology::IsClosed() const
 {
   return !this->cornersAt.ids.empty() && this->boundaryEdges.ids.empty();
@@ -195,7 +195,7 @@ MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
   }
   MeshTopology topology;
   topology.vertices = vertices;
-  topology.cornersAt = BuildCornersAt(vertices, triangles);
+  topology.cornersAt = CornersAtVertices(vertices, triangles);
   topology.isBoundary.assign(vertices, 0);
   topology.isUsed.assign(vertices, 0);
   topology.isFan.assign(vertices, 0);

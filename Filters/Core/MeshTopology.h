@@ -51,6 +51,9 @@ inline bool IsCollapsed(const Triangles& triangles, Index t)
          triangles(t, 2) == triangles(t, 0);
 }
 
+/// The corners at each vertex, ascending, without those of collapsed triangles.
+AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles);
+
 /// \param vertices number of vertices; every id in \a triangles is below it.
 /// \throw InputError if the mesh has more corners than Index can count.
 MeshTopology BuildTopology(Index vertices, const Triangles& triangles);

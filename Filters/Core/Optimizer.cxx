@@ -55,16 +55,14 @@ void Move(const Points& V, const Points& d, const OptimizerOptions& options,
 }
 
 Optimizer::Optimizer(Points V, Triangles triangles)
-  : Mesh(std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles)))
 {
-  const AdjacencyLists& oneRings = this->Mesh->GetTopology().oneRings;
-  if (IsScattered(oneRings))
+  if (IsScattered(triangles))
   {
-    this->Order = BreadthFirstOrder(oneRings, this->Mesh->GetTriangles());
-    this->Mesh =
-      std::make_unique<MeshAnalysis>(ToNewOrder(this->Order.vertices, this->Mesh->GetPoints()),
-        Renumber(this->Order, this->Mesh->GetTriangles()));
+    this->Order = BreadthFirstOrder(static_cast<Index>(V.rows()), triangles);
+    V = ToNewOrder(this->Order.vertices, std::move(V));
+    triangles = Renumber(this->Order, triangles);
   }
+  this->Mesh = std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles));
 }
 
 OptimizerResult Optimizer::Run(

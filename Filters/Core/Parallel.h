@@ -40,7 +40,7 @@ template <typename Body>
 void ParallelRanges(Index count, const Body& body)
 {
   const Index blocks = count / ParallelBlock + (count % ParallelBlock != 0);
-  // Four ranges for each thread even out their speeds; more would cost in overhead.
+  // Several ranges for each thread even out their speeds; more would cost in overhead.
   const Index ranges = std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads());
   ParallelTasks(ranges,
     [&](Index range)

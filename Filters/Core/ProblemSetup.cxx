@@ -155,7 +155,10 @@ Vector PositionWeights(
   {
     weights.array() *= mesh.GetQuality().vertices.array().cwiseMax(0);
   }
-  if ((weights.array() <= 0).any())
+  const bool isLoose =
+    ParallelSum(topology.vertices, Index(0),
+      [&](Index& loose, Index i) { loose += topology.isUsed[i] && weights[i] <= 0; }) > 0;
+  if (isLoose)
   {
     HoldLooseComponents(mesh.GetComponents(),
       FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights);

@@ -26,64 +26,53 @@ std::vector<Index> Inverse(const std::vector<Index>& order)
 }
 }
 
-bool IsScattered(const AdjacencyLists& oneRings)
+bool IsScattered(const Triangles& triangles)
 {
-  const auto vertices = static_cast<Index>(oneRings.offsets.size()) - 1;
-  const std::int64_t distance = ParallelSum(vertices, std::int64_t(0),
-    [&](std::int64_t& sum, Index i)
+  const std::int64_t distance = ParallelSum(static_cast<Index>(triangles.rows()), std::int64_t(0),
+    [&](std::int64_t& sum, Index t)
     {
-      for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
+      for (int corner = 0; corner < 3; ++corner)
       {
-        sum += std::abs(std::int64_t(i) - *j);
+        sum += std::abs(std::int64_t(triangles(t, corner)) - triangles(t, (corner + 1) % 3));
       }
     });
-  return distance > CachedVertices * std::int64_t(oneRings.ids.size());
+  return distance > CachedVertices * std::int64_t(triangles.size());
 }
 
-MeshOrder BreadthFirstOrder(const AdjacencyLists& oneRings, const Triangles& triangles)
+MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles)
 {
-  const auto vertices = static_cast<Index>(oneRings.offsets.size()) - 1;
+  const AdjacencyLists cornersAt = CornersAtVertices(vertices, triangles);
   MeshOrder order;
   order.vertices.reserve(vertices);
+  order.triangles.reserve(triangles.rows());
   Mask isNumbered(vertices, 0);
+  Mask isTriangleNumbered(triangles.rows(), 0);
+  const auto number = [](std::vector<Index>& list, Mask& mask, Index id)
+  {
+    if (!mask[id])
+    {
+      mask[id] = 1;
+      list.push_back(id);
+    }
+  };
   for (Index seed = 0; seed < vertices; ++seed)
   {
-    if (isNumbered[seed])
-    {
-      continue;
-    }
-    isNumbered[seed] = 1;
-    order.vertices.push_back(seed);
-    for (std::size_t next = order.vertices.size() - 1; next < order.vertices.size(); ++next)
+    std::size_t next = order.vertices.size();
+    number(order.vertices, isNumbered, seed);
+    for (; next < order.vertices.size(); ++next)
     {
       const Index i = order.vertices[next];
-      for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
+      for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
       {
-        if (!isNumbered[*j])
-        {
-          isNumbered[*j] = 1;
-          order.vertices.push_back(*j);
-        }
+        number(order.triangles, isTriangleNumbered, *corner / 3);
+        number(order.vertices, isNumbered, triangles.data()[NextCorner(*corner)]);
+        number(order.vertices, isNumbered, triangles.data()[PreviousCorner(*corner)]);
       }
     }
   }
-
-  const std::vector<Index> newNumber = Inverse(order.vertices);
-  const auto firstVertex = [&](Index t)
+  for (Index t = 0; t < triangles.rows(); ++t) // collapsed ones are at no vertex
   {
-    return std::min(
-      { newNumber[triangles(t, 0)], newNumber[triangles(t, 1)], newNumber[triangles(t, 2)] });
-  };
-  std::vector<Index> next(vertices + 1, 0);
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
-    ++next[firstVertex(t) + 1];
-  }
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  order.triangles.resize(triangles.rows());
-  for (Index t = 0; t < triangles.rows(); ++t)
-  {
-    order.triangles[next[firstVertex(t)]++] = t;
+    number(order.triangles, isTriangleNumbered, t);
   }
   return order;
 }

@@ -4,6 +4,7 @@
 #define lmo_VertexOrder_h
 
 #include "MeshTopology.h"
+#include "Parallel.h"
 
 namespace lmo
 {
@@ -19,11 +20,12 @@ struct MeshOrder
 
 /// True if neighbours lie so far apart that the processor's caches do not hold what is between
 /// them: that makes every pass over the mesh several times slower.
-bool IsScattered(const AdjacencyLists& oneRings);
+bool IsScattered(const Triangles& triangles);
 
 /// Numbers the vertices breadth-first (Cuthill and McKee 1969) and the triangles by their first
 /// vertex.
-MeshOrder BreadthFirstOrder(const AdjacencyLists& oneRings, const Triangles& triangles);
+/// \param vertices number of vertices; every id in \a triangles is below it.
+MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles);
 
 /// The triangles in the new order with the new vertex numbers.
 Triangles Renumber(const MeshOrder& order, const Triangles& triangles);
@@ -38,10 +40,8 @@ Values ToNewOrder(const std::vector<Index>& oldNumbers, Values values)
     return values;
   }
   Values result(values.rows(), values.cols());
-  for (std::size_t i = 0; i < oldNumbers.size(); ++i)
-  {
-    result.row(i) = values.row(oldNumbers[i]);
-  }
+  ParallelFor(static_cast<Index>(oldNumbers.size()),
+    [&](Index i) { result.row(i) = values.row(oldNumbers[i]); });
   return result;
 }
 
@@ -54,10 +54,8 @@ Values ToOldOrder(const std::vector<Index>& oldNumbers, Values values)
     return values;
   }
   Values result(values.rows(), values.cols());
-  for (std::size_t i = 0; i < oldNumbers.size(); ++i)
-  {
-    result.row(oldNumbers[i]) = values.row(i);
-  }
+  ParallelFor(static_cast<Index>(oldNumbers.size()),
+    [&](Index i) { result.row(oldNumbers[i]) = values.row(i); });
   return result;
 }
 }

@@ -14,63 +14,50 @@ namespace lmo
 {
 namespace
 {
-/// Sorted values >= 0, in buckets that are ordered by the leading bits of their values: they are
-/// found and sorted faster than one long list.
-class Ranking
+/// A value >= 0 and the vertex that has it.
+struct RankedValue
+{
+  double value;
+  Index vertex;
+  bool operator<(const RankedValue& other) const { return this->value < other.value; }
+};
+
+/// Maps values >= 0 to buckets in their order: by the leading bits of the values as floats, which
+/// is faster than to sort one long list.
+class Buckets
 {
 public:
-  /// The values of \a isUsed.
-  Ranking(const Vector& values, const Mask& isUsed)
-    : Offsets(BucketCount + 1, 0)
+  /// About half as many buckets as values.
+  explicit Buckets(const Vector& values)
+    : Lowest(Bits(values.minCoeff()))
   {
-    const auto size = static_cast<Index>(values.size());
-    for (Index i = 0; i < size; ++i)
+    const std::uint32_t range = Bits(values.maxCoeff()) - this->Lowest;
+    while ((range >> this->Shift) > static_cast<std::uint32_t>(values.size()) / 2)
     {
-      this->Offsets[Bucket(values[i]) + 1] += isUsed[i];
+      ++this->Shift;
     }
-    std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
-    this->Values.resize(this->Offsets.back());
-    std::vector<Index> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (Index i = 0; i < size; ++i)
-    {
-      if (isUsed[i])
-      {
-        this->Values[next[Bucket(values[i])]++] = values[i];
-      }
-    }
-    ParallelFor(
-      BucketCount, [&](Index bucket) { std::sort(this->Begin(bucket), this->End(bucket)); });
+    this->Count = static_cast<Index>(range >> this->Shift) + 1;
   }
 
-  /// Share of the values that are not above \a value; 0 if there are none.
-  double ShareUpTo(double value) const
+  Index GetCount() const { return this->Count; }
+  Index operator()(double value) const
   {
-    const Index bucket = Bucket(value);
-    const auto above = std::upper_bound(this->Begin(bucket), this->End(bucket), value);
-    return double(above - this->Values.data()) /
-           double(std::max<std::size_t>(this->Values.size(), 1));
+    return static_cast<Index>((Bits(value) - this->Lowest) >> this->Shift);
   }
 
 private:
-  static constexpr Index BucketCount = 1 << 15;
-
-  /// The exponent and the first bits of the mantissa of \a value as a float.
-  static Index Bucket(double value)
+  static std::uint32_t Bits(double value)
   {
     const auto rounded = static_cast<float>(value);
     std::uint32_t bits = 0;
     static_assert(sizeof(bits) == sizeof(rounded));
     std::memcpy(&bits, &rounded, sizeof(bits));
-    return static_cast<Index>(bits >> 16);
+    return bits;
   }
 
-  double* Begin(Index bucket) { return this->Values.data() + this->Offsets[bucket]; }
-  double* End(Index bucket) { return this->Values.data() + this->Offsets[bucket + 1]; }
-  const double* Begin(Index bucket) const { return this->Values.data() + this->Offsets[bucket]; }
-  const double* End(Index bucket) const { return this->Values.data() + this->Offsets[bucket + 1]; }
-
-  std::vector<Index> Offsets; ///< of the buckets in Values
-  std::vector<double> Values;
+  std::uint32_t Lowest;
+  int Shift = 0;
+  Index Count = 0;
 };
 }
 
@@ -127,10 +114,41 @@ Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statis
 
 Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
 {
-  const Ranking ranking(curvatures, isUsed);
-  Vector weights(curvatures.size());
-  ParallelFor(static_cast<Index>(curvatures.size()),
-    [&](Index i) { weights[i] = ranking.ShareUpTo(curvatures[i]); });
+  const auto size = static_cast<Index>(curvatures.size());
+  Vector weights = Vector::Zero(size);
+  if (size == 0)
+  {
+    return weights;
+  }
+  const Buckets bucketOf(curvatures);
+  std::vector<Index> offsets(bucketOf.GetCount() + 1, 0);
+  for (Index i = 0; i < size; ++i)
+  {
+    offsets[bucketOf(curvatures[i]) + 1] += isUsed[i];
+  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<RankedValue> ranking(offsets.back());
+  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
+  for (Index i = 0; i < size; ++i)
+  {
+    if (isUsed[i])
+    {
+      ranking[next[bucketOf(curvatures[i])]++] = { curvatures[i], i };
+    }
+  }
+  ParallelFor(bucketOf.GetCount(),
+    [&](Index bucket)
+    {
+      const auto end = ranking.begin() + offsets[bucket + 1];
+      std::sort(ranking.begin() + offsets[bucket], end);
+      for (auto first = ranking.begin() + offsets[bucket]; first != end;)
+      {
+        const auto last = std::upper_bound(first, end, *first);
+        const double share = double(last - ranking.begin()) / double(ranking.size());
+        std::for_each(first, last, [&](const RankedValue& tie) { weights[tie.vertex] = share; });
+        first = last;
+      }
+    });
   return weights;
 }
 
