@@ -19,18 +19,11 @@ struct SolverOptions
 
 struct Solution
 {
-  Points displacement;          ///< d = V' - V
-  Points residual;              ///< b - A d
+  Points displacement;          ///< d = V' - V; no rows stand for 0
   Index iterations = 0;         ///< 0 from a direct solver
   double rightHandSideNorm = 0; ///< |b|
-  double relativeResidual = 0;  ///< |b - A d| / |b|
+  double relativeResidual = 1;  ///< |b - A d| / |b|, computed from the problem and d
 };
-
-/// The solution d = 0.
-Solution Start(const LeastSquaresProblem& problem);
-
-/// Sets the residual that belongs to the displacement, computed from the problem.
-void UpdateResidual(const LeastSquaresProblem& problem, Solution& solution);
 
 /// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
 /// lengths of their own and share the stopping test. Search directions have the precision of
@@ -45,7 +38,7 @@ public:
   ConjugateGradient(
     const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M);
 
-  /// Improves \a solution, whose residual must be up to date, until it meets the tolerance, the
+  /// Improves \a solution until it meets the tolerance, the
   /// iterations are used up, the precision of Scalar allows no progress or more than \a affordable
   /// further iterations are predicted. Predictions are low where the residual falls ever slower.
   /// \throw Cancelled if the monitor says so; it is asked in every iteration.
@@ -55,13 +48,14 @@ private:
   using Row = PackedRow<Scalar>;
 
   /// A residual this much smaller than the last one computed in double is computed anew.
-  static constexpr double ReplacementRatio = 1e-3;
+  static constexpr double ReplacementRatio = 1e-6;
 
   /// The number of iterations is predicted after this share of the affordable ones.
   static constexpr Index TrialShare = 5;
 
-  /// Takes over the residual of \a solution.
-  void Pack(const Solution& solution);
+  /// Computes the residual of d and its inner product with M^-1 r.
+  /// \return its norm relative to |b|
+  double ReplaceResidual(const Points& d);
 
   /// r M^-1 r
   Dots ResidualDots();

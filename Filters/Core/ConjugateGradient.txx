@@ -53,8 +53,12 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
       direction.col(i).setZero();
       steps.col(i).setZero();
     });
-  this->Pack(solution);
+  this->ReplaceResidual(solution.displacement);
   this->UpdateDirection(Dots::Zero());
+  if (solution.displacement.rows() == 0)
+  {
+    solution.displacement = Points::Zero(this->Problem.Size(), 3);
+  }
   while (solution.relativeResidual > options.tolerance &&
          solution.iterations < options.maximumIterations)
   {
@@ -72,8 +76,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
     {
       const double old = solution.relativeResidual;
       this->Collect(solution.displacement);
-      UpdateResidual(this->Problem, solution);
-      this->Pack(solution);
+      solution.relativeResidual = this->ReplaceResidual(solution.displacement);
       if (isHopeless || !(solution.relativeResidual < old / 2))
       {
         break;
@@ -84,17 +87,18 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
 }
 
 template <typename Scalar, typename Preconditioner>
-void ConjugateGradient<Scalar, Preconditioner>::Pack(const Solution& solution)
+double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d)
 {
   const double unit = 1 / this->Scale;
-  ParallelFor(this->Problem.Size(),
-    [&, packed = View(this->Residual)](Index i) mutable
+  const double norm = ComputeResidual(this->Problem, d,
+    [unit, packed = View(this->Residual)](Index i, const Vector3& residual) mutable
     {
-      const Vector3 scaled = unit * solution.residual.row(i);
+      const Vector3 scaled = unit * residual;
       packed.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
     });
   this->M.Prepare(this->Residual);
   this->Rho = this->ResidualDots();
+  return norm * unit;
 }
 
 template <typename Scalar, typename Preconditioner>

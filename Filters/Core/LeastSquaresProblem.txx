@@ -15,7 +15,7 @@ double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, cons
   const Points y = WeightedRows(problem, d);
   const Points lineForces = LineForces(problem, d);
   return std::sqrt(ParallelSum(problem.Size(), 0.0,
-    [&](double& sum, Index i)
+    [&, store = store](double& sum, Index i) mutable
     {
       Vector3 residual = PositionForce(problem, d, i) - StiffnessRow(problem.L, y, i);
       if (lineForces.rows() > 0)

@@ -19,6 +19,11 @@ namespace
 constexpr Index AffordableJacobiIterations = 250;
 constexpr Index AffordableMultigridIterations = 60;
 
+double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)
+{
+  return ComputeResidual(problem, d, [](Index, const Vector3&) {});
+}
+
 bool IsSolved(const Solution& solution, const SolverOptions& options)
 {
   return solution.relativeResidual <= options.tolerance;
@@ -83,12 +88,12 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 {
   try
   {
-    Solution direct = solution;
-    direct.displacement = SolveDirectly(problem);
-    UpdateResidual(problem, direct);
-    if (direct.relativeResidual < solution.relativeResidual)
+    Points direct = SolveDirectly(problem);
+    const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
+    if (residual < solution.relativeResidual)
     {
-      solution = std::move(direct);
+      solution.displacement = std::move(direct);
+      solution.relativeResidual = residual;
     }
   }
   catch (const SolverError&)
@@ -100,16 +105,20 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   Monitor& monitor)
 {
-  Solution solution = Start(problem);
+  Solution solution;
+  solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
   if (!(solution.rightHandSideNorm > 0))
   {
+    solution.displacement = Points::Zero(problem.Size(), 3);
+    solution.relativeResidual = 0;
     return solution;
   }
   if (type == SolverType::DIRECT)
   {
     monitor.Report(0);
     solution.displacement = SolveDirectly(problem);
-    UpdateResidual(problem, solution);
+    solution.relativeResidual =
+      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
     return solution;
   }
   SolveIteratively(problem, options, monitor, solution);

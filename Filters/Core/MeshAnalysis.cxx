@@ -69,6 +69,15 @@ void MeshAnalysis::ComputeCotangentParts()
   }
 }
 
+void MeshAnalysis::ReleaseCotangentParts()
+{
+  this->EdgeWeights.reset();
+  this->VoronoiAreas.resize(0);
+  this->CurvatureNormals.reset();
+  this->Laplacians[static_cast<int>(LaplacianType::COTANGENT)].reset();
+  this->Laplacians[static_cast<int>(LaplacianType::MEAN_CURVATURE)].reset();
+}
+
 const Vector& MeshAnalysis::GetVoronoiAreas()
 {
   this->ComputeCotangentParts();

@@ -58,6 +58,10 @@ public:
   /// Connected component of each vertex.
   const std::vector<Index>& GetComponents();
 
+  /// Forgets the edge weights and what is made of them but for curvatures and details: a third of
+  /// the memory, which is computed anew when it is asked for.
+  void ReleaseCotangentParts();
+
   /// How many parts have been computed so far.
   int GetNumberOfParts() const { return this->NumberOfParts; }
 

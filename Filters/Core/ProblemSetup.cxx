@@ -216,6 +216,10 @@ LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& opt
       VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
     problem.tangentPlaneWeight = options.tangentPlaneWeight;
   }
+  else if (!problem.L.edgeWeights)
+  {
+    mesh.ReleaseCotangentParts();
+  }
   return problem;
 }
 }
