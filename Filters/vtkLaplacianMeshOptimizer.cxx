@@ -72,8 +72,7 @@ struct vtkLaplacianMeshOptimizer::Internals
   /// Makes Optimizer hold the input.
   void Prepare(vtkPolyData* input);
 
-  void WritePoints(
-    const lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const;
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
   /// Sets the figures that the Get methods return and adds them to the field data.
   void WriteFigures(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
@@ -199,7 +198,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
   lmo::FilterMonitor monitor(this->Filter);
   monitor.Begin("Reading the mesh");
   this->Prepare(input);
-  const lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
+  lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,
@@ -209,27 +208,27 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
   }
   monitor.Begin("Writing the result");
   output->ShallowCopy(input);
-  this->WritePoints(result, input, output);
   this->WriteFigures(result, output->GetFieldData());
+  this->WritePoints(std::move(result), input, output);
 }
 
 void vtkLaplacianMeshOptimizer::Internals::WritePoints(
-  const lmo::OptimizerResult& result, vtkPolyData* input, vtkPolyData* output) const
+  lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const
 {
   if (input->GetPoints())
   {
-    output->SetPoints(lmo::MakePoints(result.positions, input->GetPoints()));
+    output->SetPoints(lmo::MakePoints(std::move(result.positions), input->GetPoints()));
   }
   vtkPointData* pointData = output->GetPointData();
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", result.meanCurvatures));
-  pointData->AddArray(lmo::MakeArray("PositionWeight", result.positionWeights));
-  pointData->AddArray(lmo::MakeArray("LaplacianWeight", result.laplacianWeights));
-  pointData->AddArray(lmo::MakeArray("Displacement", result.displacements));
+  pointData->AddArray(lmo::MakeArray("MeanCurvature", std::move(result.meanCurvatures)));
+  pointData->AddArray(lmo::MakeArray("PositionWeight", std::move(result.positionWeights)));
+  pointData->AddArray(lmo::MakeArray("LaplacianWeight", std::move(result.laplacianWeights)));
+  pointData->AddArray(lmo::MakeArray("Displacement", std::move(result.displacements)));
   if (result.normals.rows() > 0)
   {
     pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
   }
-  lmo::AddRadiusRatios("InputRadiusRatio", result.comparison.before, this->TriangleCells, output);
+  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, this->TriangleCells, output);
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, this->TriangleCells, output);
 }
 
@@ -240,8 +239,8 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
   vtkLaplacianMeshOptimizer& filter = *this->Filter;
   filter.MeanRadiusRatio = comparison.after.mean;
   filter.MinimumRadiusRatio = comparison.after.minimum;
-  filter.InputMeanRadiusRatio = comparison.before.mean;
-  filter.InputMinimumRadiusRatio = comparison.before.minimum;
+  filter.InputMeanRadiusRatio = comparison.before->mean;
+  filter.InputMinimumRadiusRatio = comparison.before->minimum;
   filter.MaximumDisplacement = comparison.maximumDisplacement;
   filter.RelativeMaximumDisplacement = comparison.relativeMaximumDisplacement;
   filter.RelativeVolumeChange = comparison.relativeVolumeChange;

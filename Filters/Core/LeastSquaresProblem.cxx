@@ -41,7 +41,7 @@ Points WeightedRows(const LeastSquaresProblem& problem, const Points& d)
     [&](Index i)
     {
       const double weight = problem.laplacianWeights[i];
-      y.row(i) = L.rowScale[i] * weight * weight * problem.target.row(i);
+      y.row(i) = L.rowScale[i] * weight * weight * problem.target->row(i);
       if (d.rows() > 0)
       {
         y.row(i) += RowWeight(problem, i) * StiffnessRow(L, d, i);

@@ -51,12 +51,12 @@ struct LineRow
 struct LeastSquaresProblem
 {
   Laplacian L;
-  Vector laplacianWeights;       ///< diagonal of W_L
-  Points target;                 ///< c
-  std::vector<LineRow> lineRows; ///< for vertices whose row of L is empty
-  Vector positionWeights;        ///< diagonal of W_p
-  Points tangentPlaneNormals;    ///< n_i; no rows if there are no tangent-plane constraints
-  double tangentPlaneWeight = 0; ///< w
+  Vector laplacianWeights;              ///< diagonal of W_L
+  std::shared_ptr<const Points> target; ///< c
+  std::vector<LineRow> lineRows;        ///< for vertices whose row of L is empty
+  Vector positionWeights;               ///< diagonal of W_p
+  Points tangentPlaneNormals;           ///< n_i; no rows if there are no tangent-plane constraints
+  double tangentPlaneWeight = 0;        ///< w
   MotionConstraints motion;
 
   Index Size() const { return static_cast<Index>(this->positionWeights.size()); }

@@ -13,23 +13,34 @@ namespace lmo
 {
 namespace
 {
-/// Shortens each delta_c that is longer than the longest edge at its vertex.
-void BoundByLongestEdge(const AdjacencyLists& oneRings, const Points& V, Points& laplacians)
+/// The longest edge at vertex i, squared.
+double LongestSquaredEdge(const AdjacencyLists& oneRings, const Points& V, Index i)
 {
+  double longest = 0;
+  for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
+  {
+    longest = std::max(longest, (V.row(*j) - V.row(i)).squaredNorm());
+  }
+  return longest;
+}
+
+/// Eqn. 10: delta_c, shortened where it is longer than the longest edge, minus L_u V.
+Points ComputeDetailTarget(const Laplacian& uniform, const Laplacian& cotangent, const Points& V)
+{
+  Points target(V.rows(), 3);
   ParallelFor(static_cast<Index>(V.rows()),
     [&](Index i)
     {
-      double longest = 0;
-      for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
-      {
-        longest = std::max(longest, (V.row(*j) - V.row(i)).squaredNorm());
-      }
-      const double length = laplacians.row(i).squaredNorm();
+      Vector3 detail = -cotangent.rowScale[i] * StiffnessRow(cotangent, V, i);
+      const double longest = LongestSquaredEdge(*cotangent.rings, V, i);
+      const double length = detail.squaredNorm();
       if (length > longest)
       {
-        laplacians.row(i) *= std::sqrt(longest / length);
+        detail *= std::sqrt(longest / length);
       }
+      target.row(i) = detail + uniform.rowScale[i] * StiffnessRow(uniform, V, i);
     });
+  return target;
 }
 }
 
@@ -69,13 +80,21 @@ void MeshAnalysis::ComputeCotangentParts()
   }
 }
 
-void MeshAnalysis::ReleaseCotangentParts()
+void MeshAnalysis::ReleaseIntermediateParts(LaplacianType type)
 {
-  this->EdgeWeights.reset();
-  this->VoronoiAreas.resize(0);
   this->CurvatureNormals.reset();
-  this->Laplacians[static_cast<int>(LaplacianType::COTANGENT)].reset();
-  this->Laplacians[static_cast<int>(LaplacianType::MEAN_CURVATURE)].reset();
+  for (const LaplacianType other : { LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
+  {
+    if (other != type)
+    {
+      this->Laplacians[static_cast<int>(other)].reset();
+    }
+  }
+  if (type == LaplacianType::UNIFORM)
+  {
+    this->EdgeWeights.reset();
+    this->VoronoiAreas.resize(0);
+  }
 }
 
 const Vector& MeshAnalysis::GetVoronoiAreas()
@@ -128,20 +147,21 @@ const Vector& MeshAnalysis::GetCumulativeWeights()
     [&] { return CumulativeWeights(this->GetMeanCurvatures(), this->Topology->isUsed); });
 }
 
-const Points& MeshAnalysis::GetDetailLaplacians()
+std::shared_ptr<const Points> MeshAnalysis::GetDetailTarget()
 {
-  return this->Get(this->DetailLaplacians,
+  return this->Get(this->DetailTarget,
     [&]
     {
-      Points details = Apply(this->GetLaplacian(LaplacianType::COTANGENT), this->V);
-      BoundByLongestEdge(this->Topology->oneRings, this->V, details);
-      return details;
+      return std::make_shared<const Points>(
+        ComputeDetailTarget(this->GetLaplacian(LaplacianType::UNIFORM),
+          this->GetLaplacian(LaplacianType::COTANGENT), this->V));
     });
 }
 
-const MeshQuality& MeshAnalysis::GetQuality()
+std::shared_ptr<const MeshQuality> MeshAnalysis::GetQuality()
 {
-  return this->Get(this->Quality, [&] { return MeasureQuality(this->V, this->T); });
+  return this->Get(this->Quality,
+    [&] { return std::make_shared<const MeshQuality>(MeasureQuality(this->V, this->T)); });
 }
 
 const std::vector<Index>& MeshAnalysis::GetComponents()

@@ -48,19 +48,19 @@ public:
   /// C(kappa) of Eqn. 13.
   const Vector& GetCumulativeWeights();
 
-  /// delta_c of Eqn. 10, no longer than the longest edge at the vertex: nearly degenerate triangles
-  /// make it explode.
-  const Points& GetDetailLaplacians();
+  /// c = delta_c - L_u V of Eqn. 10, with delta_c no longer than the longest edge at the vertex:
+  /// nearly degenerate triangles make it explode.
+  std::shared_ptr<const Points> GetDetailTarget();
 
   /// Eqn. 12.
-  const MeshQuality& GetQuality();
+  std::shared_ptr<const MeshQuality> GetQuality();
 
   /// Connected component of each vertex.
   const std::vector<Index>& GetComponents();
 
-  /// Forgets the edge weights and what is made of them but for curvatures and details: a third of
-  /// the memory, which is computed anew when it is asked for.
-  void ReleaseCotangentParts();
+  /// Forgets the parts that only lead to others, a third of the memory; they are computed anew when
+  /// they are asked for. Keeps the Laplacian of \a type.
+  void ReleaseIntermediateParts(LaplacianType type);
 
   /// How many parts have been computed so far.
   int GetNumberOfParts() const { return this->NumberOfParts; }
@@ -87,8 +87,8 @@ private:
   std::optional<Vector> Curvatures;
   std::optional<CurvatureStatistics> Statistics;
   std::optional<Vector> Cumulative;
-  std::optional<Points> DetailLaplacians;
-  std::optional<MeshQuality> Quality;
+  std::optional<std::shared_ptr<const Points>> DetailTarget;
+  std::optional<std::shared_ptr<const MeshQuality>> Quality;
   std::optional<std::vector<Index>> Components;
 };
 }

@@ -84,11 +84,13 @@ OptimizerResult Optimizer::Run(
   Restore(this->Order.vertices, result.positionWeights);
   Restore(this->Order.vertices, result.laplacianWeights);
   Restore(this->Order.vertices, result.normals);
-  for (MeshQuality* quality : { &result.comparison.before, &result.comparison.after })
+  MeshQuality before = *result.comparison.before;
+  for (MeshQuality* quality : { &before, &result.comparison.after })
   {
     Restore(this->Order.vertices, quality->vertices);
     Restore(this->Order.triangles, quality->triangles);
   }
+  result.comparison.before = std::make_shared<const MeshQuality>(std::move(before));
   return result;
 }
 

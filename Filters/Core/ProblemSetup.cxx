@@ -59,11 +59,15 @@ Mask FixedVertices(
   return isFixed;
 }
 
+LaplacianType UsedLaplacian(const OptimizerOptions& options)
+{
+  return options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
+}
+
 /// L of section 4, its rows as the boundary condition wants them.
 Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
 {
-  const LaplacianType type =
-    options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
+  const LaplacianType type = UsedLaplacian(options);
   Laplacian L = mesh.GetLaplacian(type);
   if (type == LaplacianType::MEAN_CURVATURE)
   {
@@ -81,30 +85,20 @@ Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
 }
 
 /// c = f - L V, with f of section 4.
-Points ChooseTarget(MeshAnalysis& mesh, const Laplacian& L, const OptimizerOptions& options,
-  const VertexArrays& arrays)
+std::shared_ptr<const Points> ChooseTarget(MeshAnalysis& mesh, const Laplacian& L,
+  const OptimizerOptions& options, const VertexArrays& arrays)
 {
-  const Points* f = nullptr;
   if (options.mode == Mode::OPTIMIZE_TRIANGLES)
   {
-    f = &mesh.GetDetailLaplacians();
+    return mesh.GetDetailTarget();
   }
-  else if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
+  Points target = -Apply(L, mesh.GetPoints());
+  if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
   {
-    f = &Require(arrays.prescribedLaplacians,
+    target += Require(arrays.prescribedLaplacians,
       "The mode needs a point array of prescribed Laplacians with 3 components");
   }
-  Points target = Apply(L, mesh.GetPoints());
-  ParallelFor(static_cast<Index>(target.rows()),
-    [&](Index i)
-    {
-      target.row(i) = -target.row(i);
-      if (f)
-      {
-        target.row(i) += f->row(i);
-      }
-    });
-  return target;
+  return std::make_shared<const Points>(std::move(target));
 }
 
 MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
@@ -153,7 +147,7 @@ Vector PositionWeights(
   Vector weights = SchemePositionWeights(mesh, options, arrays);
   if (options.modulateByTriangleQuality)
   {
-    weights.array() *= mesh.GetQuality().vertices.array().cwiseMax(0);
+    weights.array() *= mesh.GetQuality()->vertices.array().cwiseMax(0);
   }
   const bool isLoose =
     ParallelSum(topology.vertices, Index(0),
@@ -216,10 +210,7 @@ LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& opt
       VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
     problem.tangentPlaneWeight = options.tangentPlaneWeight;
   }
-  else if (!problem.L.edgeWeights)
-  {
-    mesh.ReleaseCotangentParts();
-  }
+  mesh.ReleaseIntermediateParts(UsedLaplacian(options));
   return problem;
 }
 }

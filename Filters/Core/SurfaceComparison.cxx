@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lmo
 {
@@ -40,10 +41,11 @@ Index CountFlippedTriangles(const Points& before, const Points& after, const Tri
 }
 
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const MeshQuality& quality, double diagonal, bool isClosed)
+  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality, double diagonal,
+  bool isClosed)
 {
   SurfaceComparison comparison;
-  comparison.before = quality;
+  comparison.before = std::move(quality);
   comparison.after = MeasureQuality(after, triangles);
   comparison.maximumDisplacement = LargestDisplacement(before, after);
   comparison.relativeMaximumDisplacement =

@@ -5,12 +5,14 @@
 
 #include "Quality.h"
 
+#include <memory>
+
 namespace lmo
 {
 /// What an optimisation did to the surface: the figures of Fig. 5 and some more.
 struct SurfaceComparison
 {
-  MeshQuality before;
+  std::shared_ptr<const MeshQuality> before;
   MeshQuality after;
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
@@ -21,7 +23,8 @@ struct SurfaceComparison
 /// \param quality of \a before
 /// \param diagonal of the bounding box of \a before
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const MeshQuality& quality, double diagonal, bool isClosed);
+  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality, double diagonal,
+  bool isClosed);
 }
 
 #endif

@@ -312,7 +312,7 @@ vtkSmartPointer<vtkDoubleArray> CopyRows(const char* name, const Rows& rows)
 }
 }
 
-vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input)
+vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataType(input->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
@@ -341,12 +341,12 @@ vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input)
   return result;
 }
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values)
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values)
 {
   return CopyRows(name, values);
 }
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values)
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values)
 {
   return CopyRows(name, values);
 }
@@ -372,7 +372,7 @@ void AddRadiusRatios(const char* name, const MeshQuality& quality,
       double& cell = cells[triangleCells(t)];
       cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
     }
-    output->GetCellData()->AddArray(MakeArray(name, cells));
+    output->GetCellData()->AddArray(MakeArray(name, std::move(cells)));
   }
   output->GetPointData()->AddArray(MakeArray(name, quality.vertices));
 }

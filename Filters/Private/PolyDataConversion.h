@@ -51,11 +51,12 @@ Vector ReadWeights(vtkDataArray* array, vtkIdType points);
 /// \throw InputError if the array has not three finite values per point.
 Points ReadVectors(vtkDataArray* array, vtkIdType points);
 
-/// Coordinates in the type of the input's: float for float, double for all others.
-vtkSmartPointer<vtkPoints> MakePoints(const Points& points, vtkPoints* input);
+/// Coordinates in the type of the input's: float for float, double for all others. Like the arrays
+/// below, values that are not needed any more are to be moved here, which frees their memory.
+vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input);
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Vector& values);
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, const Points& values);
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values);
+vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values);
 
 /// Array of one value, as field data hold it.
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
