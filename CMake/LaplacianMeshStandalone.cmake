@@ -9,6 +9,7 @@ endif ()
 
 option(BUILD_SHARED_LIBS "Build shared libraries; the plugin needs them" ON)
 option(LMO_PARAVIEW "Build against ParaView and its VTK, with the plugin; OFF: against VTK alone" ON)
+option(LMO_BENCHMARKS "Build the benchmark; the tests build it anyway" OFF)
 set(LMO_REAL_MESHES "" CACHE PATH "Folder of real meshes that the tests measure too; may be empty")
 
 # VTK's roots set these, its module system does not.
@@ -19,6 +20,8 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 
 # --- VTK, or ParaView with its own -------------------------------------------------------------
 set(lmo_vtk_components CommonCore CommonDataModel CommonExecutionModel)
+set(lmo_testing_components
+  FiltersCore FiltersModeling FiltersSources ImagingCore IOGeometry IOPLY IOXML TestingCore)
 set(lmo_paraview_components
   RemotingCore RemotingClientServerStream RemotingServerManager WrapClientServer ProcessXML)
 if (LMO_PARAVIEW)
@@ -28,7 +31,7 @@ if (LMO_PARAVIEW)
 else ()
   find_package(VTK 9.1 REQUIRED
     COMPONENTS ${lmo_vtk_components}
-    OPTIONAL_COMPONENTS FiltersCore FiltersSources TestingCore Python WrappingPythonCore)
+    OPTIONAL_COMPONENTS ${lmo_testing_components} Python WrappingPythonCore)
   cmake_dependent_option(LMO_WRAP_PYTHON "Wrap the filters for Python" ON
     "TARGET VTK::WrappingPythonCore" OFF)
 endif ()
@@ -158,4 +161,9 @@ if (BUILD_TESTING)
   if (LMO_PARAVIEW)
     add_subdirectory(Testing/ParaView)
   endif ()
+endif ()
+
+# --- The benchmark -------------------------------------------------------------------------------
+if (LMO_BENCHMARKS OR BUILD_TESTING)
+  add_subdirectory(Testing/Benchmarks)
 endif ()
