@@ -50,6 +50,9 @@ private:
   /// A residual this much smaller than the last one computed in double is computed anew.
   static constexpr double ReplacementRatio = 1e-6;
 
+  /// A residual this much larger than the one carried along starts the directions anew.
+  static constexpr double LargestDrift = 2;
+
   /// The number of iterations is predicted after this share of the affordable ones.
   static constexpr Index TrialShare = 5;
 

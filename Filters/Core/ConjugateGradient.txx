@@ -72,6 +72,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
                             PredictIterations(norms, options.tolerance) > affordable;
     const bool isLast = solution.iterations == options.maximumIterations ||
                         !(this->Alpha > 0).any() || !(norm > options.tolerance) || isHopeless;
+    Dots beta = DivideDots(this->Rho, oldRho);
     if (isLast || norm < ReplacementRatio * solution.relativeResidual)
     {
       const double old = solution.relativeResidual;
@@ -81,8 +82,11 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
       {
         break;
       }
+      // Directions belong to the residual that was carried along; far from it they mislead.
+      const bool isDrift = solution.relativeResidual > LargestDrift * norm;
+      beta = isDrift ? Dots(Dots::Zero()) : DivideDots(this->Rho, oldRho);
     }
-    this->UpdateDirection(DivideDots(this->Rho, oldRho));
+    this->UpdateDirection(beta);
   }
 }
 

@@ -136,6 +136,8 @@ Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
       ranking[next[bucketOf(curvatures[i])]++] = { curvatures[i], i };
     }
   }
+  const auto share = [&](std::vector<RankedValue>::iterator above)
+  { return double(above - ranking.begin()) / double(std::max<std::size_t>(ranking.size(), 1)); };
   ParallelFor(bucketOf.GetCount(),
     [&](Index bucket)
     {
@@ -143,12 +145,21 @@ Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
       std::sort(ranking.begin() + offsets[bucket], end);
       for (auto first = ranking.begin() + offsets[bucket]; first != end;)
       {
-        const auto last = std::upper_bound(first, end, *first);
-        const double share = double(last - ranking.begin()) / double(ranking.size());
-        std::for_each(first, last, [&](const RankedValue& tie) { weights[tie.vertex] = share; });
-        first = last;
+        const auto above = std::upper_bound(first, end, *first);
+        std::for_each(
+          first, above, [&](const RankedValue& tie) { weights[tie.vertex] = share(above); });
+        first = above;
       }
     });
+  for (Index i = 0; i < size; ++i)
+  {
+    if (!isUsed[i])
+    {
+      const Index bucket = bucketOf(curvatures[i]);
+      weights[i] = share(std::upper_bound(ranking.begin() + offsets[bucket],
+        ranking.begin() + offsets[bucket + 1], RankedValue{ curvatures[i], i }));
+    }
+  }
   return weights;
 }
 
