@@ -29,19 +29,26 @@ bool IsSolved(const Solution& solution, const SolverOptions& options)
   return solution.relativeResidual <= options.tolerance;
 }
 
-/// Goes on from the solution so far, unless it is good enough.
-/// \tparam Preconditioner made from \a source
-/// \param affordable number of iterations; gives up before if it will clearly take more
-template <typename Preconditioner, typename Scalar, typename Source>
-void Iterate(const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, const Source& source,
-  const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
+/// Goes on from the solution so far, unless it is good enough; keeps it if no better one is found.
+/// \tparam Preconditioner made from \a sources
+/// \param affordable as in ConjugateGradient::Run()
+template <typename Preconditioner, typename Scalar, typename... Sources>
+void Iterate(PackedEquations<Scalar>& A, const SolverOptions& options, Index affordable,
+  Monitor& monitor, Solution& solution, const Sources&... sources)
 {
-  if (!IsSolved(solution, options) && solution.iterations < options.maximumIterations)
+  if (IsSolved(solution, options) || solution.iterations >= options.maximumIterations)
   {
-    monitor.Report(0);
-    Preconditioner M(source);
-    ConjugateGradient<Scalar, Preconditioner>(problem, A, M)
-      .Run(options, affordable, monitor, solution);
+    return;
+  }
+  monitor.Report(0);
+  Preconditioner M(sources...);
+  Solution next = solution;
+  ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M)
+    .Run(options, affordable, monitor, next);
+  solution.iterations = next.iterations;
+  if (next.relativeResidual <= solution.relativeResidual)
+  {
+    solution = std::move(next);
   }
 }
 
@@ -69,7 +76,7 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   if (ExpectedJacobiIterations(problem) < AffordableJacobiIterations)
   {
     Iterate<JacobiPreconditioner<float>>(
-      problem, A, problem, options, AffordableJacobiIterations, monitor, solution);
+      A, options, AffordableJacobiIterations, monitor, solution, problem);
   }
   if (IsSolved(solution, options))
   {
@@ -77,9 +84,16 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   }
   const ShiftedStiffness matrix(problem, A.GetStiffness());
   Iterate<SquaredPreconditioner<Multigrid>>(
-    problem, A, matrix, options, AffordableMultigridIterations, monitor, solution);
-  Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
-    problem, A, matrix, options, options.maximumIterations, monitor, solution);
+    A, options, AffordableMultigridIterations, monitor, solution, problem, matrix);
+  try
+  {
+    Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
+      A, options, options.maximumIterations, monitor, solution, problem, matrix);
+  }
+  catch (const SolverError&)
+  {
+    // K + R is singular in double precision; what follows decides.
+  }
 }
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
@@ -122,6 +136,10 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
     return solution;
   }
   SolveIteratively(problem, options, monitor, solution);
+  if (solution.displacement.rows() == 0)
+  {
+    solution.displacement = Points::Zero(problem.Size(), 3);
+  }
   if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
   {
     ImproveDirectly(problem, solution);

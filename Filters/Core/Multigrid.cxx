@@ -59,7 +59,7 @@ Multigrid::Multigrid(const ShiftedStiffness& matrix)
   SparseRows coarse = this->AddLevel(matrix);
   for (Index i = 0; i < matrix.Size(); ++i)
   {
-    this->Levels[0].smootherScale[i] *= !matrix.isFixed[i];
+    this->Levels[0].smootherScale[i] *= !matrix.isLeftOut[i];
   }
   while (coarse.rows() > 0)
   {

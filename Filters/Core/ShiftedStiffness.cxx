@@ -21,7 +21,7 @@ ShiftedStiffness::ShiftedStiffness(
   , K(K)
   , shift(problem.Size())
   , inverseQ(problem.Size())
-  , isFixed(problem.Size())
+  , isLeftOut(problem.Size())
 {
   Vector Q(problem.Size());
   ParallelFor(problem.Size(), [&](Index i) { Q[i] = RowWeight(problem, i); });
@@ -32,8 +32,8 @@ ShiftedStiffness::ShiftedStiffness(
       const double q = std::max(Q[i], smallestQ);
       const double sum = WeightSum(problem.L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
-      this->isFixed[i] = problem.motion.freedom[i] == MotionConstraints::FIXED;
-      this->inverseQ[i] = static_cast<float>(this->isFixed[i] ? 0 : 1 / q);
+      this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE;
+      this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
       this->shift[i] =
         static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(q), least));
     });

@@ -9,8 +9,8 @@
 namespace lmo
 {
 /// K + R with R = W_p / sqrt(Q): (K + R) Q (K + R) is close to A = K Q K + W_p^2, however different
-/// in size its two terms are. Bounds keep it and Q from being singular. Fixed vertices are left
-/// out: their unknowns are 0.
+/// in size its two terms are. Bounds keep it and Q from being singular. Vertices that are not free
+/// to move in all directions are left out: their unknowns are 0.
 struct ShiftedStiffness
 {
   using Values = Eigen::ArrayXf;
@@ -18,19 +18,20 @@ struct ShiftedStiffness
   const Laplacian& L;
   const PackedStiffness<float>& K;
   Values shift;    ///< diagonal of R, > 0
-  Values inverseQ; ///< > 0, but 0 at fixed vertices
-  Mask isFixed;
+  Values inverseQ; ///< > 0, but 0 at vertices left out
+  Mask isLeftOut;
 
   /// Keeps references to the Laplacian and to \a K, which is made from it.
   ShiftedStiffness(const LeastSquaresProblem& problem, const PackedStiffness<float>& K);
 
   Index Size() const { return static_cast<Index>(this->shift.size()); }
 
-  /// Calls add(column, value) for the entries of row i; a fixed vertex has a row of the identity.
+  /// Calls add(column, value) for the entries of row i; a vertex left out has a row of the
+  /// identity.
   template <typename Add>
   void ForEachEntry(Index i, const Add& add) const
   {
-    if (this->isFixed[i])
+    if (this->isLeftOut[i])
     {
       add(i, 1.0);
       return;
@@ -39,7 +40,7 @@ struct ShiftedStiffness
     const AdjacencyLists& rings = *this->L.rings;
     for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
     {
-      if (!this->isFixed[rings.ids[k]])
+      if (!this->isLeftOut[rings.ids[k]])
       {
         add(rings.ids[k], this->L.edgeWeights ? -(*this->L.edgeWeights)[k] : -1.0);
       }

@@ -4,11 +4,13 @@
 #define lmo_SquaredPreconditioner_h
 
 #include "Parallel.h"
+#include "Preconditioner.h"
 #include "ShiftedStiffness.h"
 
 namespace lmo
 {
-/// M = (K + R) Q (K + R). The couplings of x, y and z are left to the iteration.
+/// M = (K + R) Q (K + R) for the vertices that are free to move, the diagonal for the others. The
+/// couplings of x, y and z are left to the iteration.
 /// \tparam Inverse (K + R)^-1 or a symmetric approximation: Apply(rightHandSide, solution)
 template <typename Inverse>
 class SquaredPreconditioner
@@ -16,9 +18,11 @@ class SquaredPreconditioner
 public:
   static constexpr bool IsRowWise = false;
 
-  explicit SquaredPreconditioner(const ShiftedStiffness& matrix)
-    : Factor(matrix)
-    , InverseQ(matrix.inverseQ)
+  /// Keeps a reference to \a matrix.
+  SquaredPreconditioner(const LeastSquaresProblem& problem, const ShiftedStiffness& matrix)
+    : Matrix(matrix)
+    , Factor(matrix)
+    , Jacobi(problem)
     , Intermediate(4, matrix.Size())
     , Result(4, matrix.Size())
   {
@@ -28,8 +32,8 @@ public:
   void Prepare(const PackedPoints<float>& residual)
   {
     this->Factor.Apply(residual, this->Intermediate);
-    ParallelFor(static_cast<Index>(this->InverseQ.size()),
-      [x = View(this->Intermediate), inverseQ = this->InverseQ.data()](Index i) mutable
+    ParallelFor(this->Matrix.Size(),
+      [x = View(this->Intermediate), inverseQ = this->Matrix.inverseQ.data()](Index i) mutable
       { x.col(i) *= inverseQ[i]; });
     this->Factor.Apply(this->Intermediate, this->Result);
   }
@@ -37,13 +41,15 @@ public:
   /// The rows of M^-1 residual; cheap to copy.
   auto GetRows() const
   {
-    return [result = View(this->Result)](Index i, const PackedRow<float>&)
-    { return PackedRow<float>(result.col(i)); };
+    return [result = View(this->Result), jacobi = this->Jacobi.GetRows(),
+             isLeftOut = this->Matrix.isLeftOut.data()](Index i, const PackedRow<float>& residual)
+    { return isLeftOut[i] ? jacobi(i, residual) : PackedRow<float>(result.col(i)); };
   }
 
 private:
+  const ShiftedStiffness& Matrix;
   Inverse Factor;
-  const ShiftedStiffness::Values& InverseQ;
+  JacobiPreconditioner<float> Jacobi;
   PackedPoints<float> Intermediate;
   PackedPoints<float> Result;
 };

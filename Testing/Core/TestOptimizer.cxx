@@ -272,6 +272,32 @@ void CheckMissingArrays(Checks& c)
 }
 }
 
+namespace
+{
+/// What depends on the mesh alone is computed once, in the order given and in a better one.
+void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
+{
+  Optimizer optimizer(mesh.V, mesh.T);
+  Monitor monitor;
+  OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
+  options.positionWeighting = PositionWeighting::CDF;
+  optimizer.Run(options, {}, monitor);
+  const int parts = optimizer.GetMesh().GetNumberOfParts();
+  options.scaleFactor = 0.5;
+  options.solverType = SolverType::AUTOMATIC;
+  options.solver.tolerance = 1e-12;
+  const OptimizerResult second = optimizer.Run(options, {}, monitor);
+  c.True("another scale factor and solver need no new parts: " + name,
+    optimizer.GetMesh().GetNumberOfParts() == parts);
+  c.Error("kept parts give the same result: " + name,
+    MaximumDistance(second.positions, Run(mesh, options).positions), 0);
+  options.positionWeighting = PositionWeighting::LINEAR;
+  optimizer.Run(options, {}, monitor);
+  c.True("linear weights need the statistics and components and nothing else: " + name,
+    optimizer.GetMesh().GetNumberOfParts() == parts + 2);
+}
+}
+
 int TestOptimizer(int, char*[])
 {
   Checks c;
@@ -282,5 +308,7 @@ int TestOptimizer(int, char*[])
   CheckPositionWeights(c);
   CheckLaplacianWeights(c);
   CheckMissingArrays(c);
+  CheckReuse(c, "sphere", Irregular(Icosphere(3), 0.02));
+  CheckReuse(c, "scattered", Irregular(Icosphere(6), 0.002));
   return c.Result();
 }

@@ -4,6 +4,8 @@
 #include "TestMeasures.h"
 #include "TestOperators.h"
 
+#include "Core/ThreadTeam.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -150,23 +152,54 @@ void CheckSingularSystem(Checks& c)
     Run(mesh, Iterative(options, 1e-10), arrays).positions.allFinite());
 }
 
-Points SolveOnThreads(const TestMesh& mesh, const char* backend, int threads)
+Points SolveOnThreads(
+  const TestMesh& mesh, const OptimizerOptions& options, const char* backend, int threads)
 {
   Points positions;
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, backend, false),
-    [&] { positions = Run(mesh, Iterative(Options(Mode::SMOOTH), 1e-6)).positions; });
+    [&]
+    {
+      const ThreadTeam team(threads);
+      positions = Run(mesh, Iterative(options, 1e-6)).positions;
+    });
   return positions;
 }
 
+/// A plain system, one for multigrid and one for the factorised K + R.
 void CheckThreads(Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(5), 0.005);
-  const Points sequential = SolveOnThreads(mesh, "Sequential", 1);
-  for (const int threads : { 2, 3 })
+  OptimizerOptions plain = Options(Mode::SMOOTH);
+  OptimizerOptions smooth = plain;
+  smooth.scaleFactor = 0.003;
+  OptimizerOptions hard = Options(Mode::SMOOTH, LaplacianType::MEAN_CURVATURE);
+  hard.scaleFactor = 0.001;
+  for (const OptimizerOptions& options : { plain, smooth, hard })
   {
-    c.Error("the solution does not depend on the number of threads",
-      MaximumDistance(SolveOnThreads(mesh, "STDThread", threads), sequential), 0);
+    const Points sequential = SolveOnThreads(mesh, options, "Sequential", 1);
+    for (const int threads : { 2, 3 })
+    {
+      c.Error("the solution does not depend on the number of threads",
+        MaximumDistance(SolveOnThreads(mesh, options, "STDThread", threads), sequential), 0);
+    }
   }
+}
+
+/// Triangles so thin that diagonals say little about the matrix.
+void CheckHardSystem(Checks& c)
+{
+  TestMesh mesh = Icosphere(5);
+  for (Index t = 0; t < mesh.T.rows(); t += 20)
+  {
+    mesh.V.row(mesh.T(t, 0)) += 0.99 * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
+  }
+  OptimizerOptions options = Options(Mode::SMOOTH, LaplacianType::MEAN_CURVATURE);
+  options.scaleFactor = 0.01;
+  const OptimizerResult result = Run(mesh, Iterative(options, 1e-8, 2000));
+  c.Error("thin triangles do not keep the iterative solver from the tolerance",
+    result.relativeResidual, 1e-8);
+  c.Error("thin triangles: direct and iterative solutions agree",
+    MaximumDistance(result.positions, Run(mesh, options).positions), 1e-4);
 }
 }
 
@@ -180,5 +213,6 @@ int TestSolvers(int, char*[])
   CheckMonitor(c);
   CheckSingularSystem(c);
   CheckThreads(c);
+  CheckHardSystem(c);
   return c.Result();
 }

@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "TestMeasures.h"
+#include "TestOperators.h"
+
+#include "Core/ConjugateGradient.h"
+#include "Core/DirectSolver.h"
+#include "Core/Multigrid.h"
+#include "Core/ProblemSetup.h"
+#include "Core/SquaredPreconditioner.h"
+#include "Core/StiffnessFactorisation.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+/// A smoothing problem with what its preconditioners are made of.
+struct System
+{
+  LeastSquaresProblem problem;
+  std::unique_ptr<PackedEquations<float>> A;
+  std::unique_ptr<ShiftedStiffness> matrix;
+
+  System(const TestMesh& mesh, const OptimizerOptions& options)
+  {
+    MeshAnalysis analysis(mesh.V, mesh.T);
+    const auto boundary = SlidingBoundary(analysis, options.boundaryCondition);
+    this->problem = SetUpProblem(analysis, options, {}, boundary);
+    this->A = std::make_unique<PackedEquations<float>>(this->problem);
+    this->matrix = std::make_unique<ShiftedStiffness>(this->problem, this->A->GetStiffness());
+  }
+};
+
+OptimizerOptions Smoothing(LaplacianType type, double scaleFactor)
+{
+  OptimizerOptions options = Options(Mode::SMOOTH, type);
+  options.scaleFactor = scaleFactor;
+  return options;
+}
+
+/// Random values, 0 at vertices left out.
+PackedPoints<float> RandomVector(const ShiftedStiffness& matrix, Random& random)
+{
+  PackedPoints<float> x = PackedPoints<float>::Zero(4, matrix.Size());
+  for (Index i = 0; i < matrix.Size(); ++i)
+  {
+    for (int c = 0; c < 3 && !matrix.isLeftOut[i]; ++c)
+    {
+      x(c, i) = static_cast<float>(random());
+    }
+  }
+  return x;
+}
+
+/// (K + R) x, entry by entry.
+PackedPoints<float> Multiply(const ShiftedStiffness& matrix, const PackedPoints<float>& x)
+{
+  PackedPoints<float> product = PackedPoints<float>::Zero(4, matrix.Size());
+  for (Index i = 0; i < matrix.Size(); ++i)
+  {
+    matrix.ForEachEntry(
+      i, [&](Index j, double value) { product.col(i) += static_cast<float>(value) * x.col(j); });
+  }
+  return product;
+}
+
+/// |x - M (K + R) x| / |x| in the energy norm, M the approximate inverse.
+template <typename Inverse>
+double InverseError(const System& system)
+{
+  const ShiftedStiffness& matrix = *system.matrix;
+  Random random;
+  const PackedPoints<float> x = RandomVector(matrix, random);
+  PackedPoints<float> result(4, matrix.Size());
+  Inverse(matrix).Apply(Multiply(matrix, x), result);
+  const auto energy = [&](const PackedPoints<float>& y)
+  { return std::sqrt((y * Multiply(matrix, y)).cast<double>().sum()); };
+  return energy(x - result) / energy(x);
+}
+
+/// |x M y - y M x| / (|x| |M y|)
+template <typename Inverse>
+double Asymmetry(const System& system)
+{
+  const ShiftedStiffness& matrix = *system.matrix;
+  Random random;
+  const PackedPoints<float> x = RandomVector(matrix, random);
+  const PackedPoints<float> y = RandomVector(matrix, random);
+  PackedPoints<float> Mx(4, matrix.Size());
+  PackedPoints<float> My(4, matrix.Size());
+  Inverse inverse(matrix);
+  inverse.Apply(x, Mx);
+  inverse.Apply(y, My);
+  const double difference = ((x * My).cast<double>() - (y * Mx).cast<double>()).sum();
+  return std::abs(difference) / (x.matrix().norm() * My.matrix().norm());
+}
+
+template <typename Preconditioner, typename... Sources>
+Solution Iterate(System& system, const SolverOptions& options, const Sources&... sources)
+{
+  Solution solution;
+  solution.rightHandSideNorm =
+    ComputeResidual(system.problem, solution.displacement, [](Index, const Vector3&) {});
+  Preconditioner M(sources...);
+  Monitor monitor;
+  ConjugateGradient<float, Preconditioner>(system.problem, *system.A, M)
+    .Run(options, options.maximumIterations, monitor, solution);
+  return solution;
+}
+
+void CheckInverses(Checks& c, const std::string& name, const TestMesh& mesh, LaplacianType type)
+{
+  const System system(mesh, Smoothing(type, 0.01));
+  c.Error(
+    "the factorisation inverts K + R: " + name, InverseError<StiffnessFactorisation>(system), 1e-3);
+  c.Error(
+    "the factorisation is symmetric: " + name, Asymmetry<StiffnessFactorisation>(system), 1e-5);
+  c.Error("a multigrid cycle halves the error: " + name, InverseError<Multigrid>(system), 0.5);
+  c.Error("a multigrid cycle is symmetric: " + name, Asymmetry<Multigrid>(system), 1e-5);
+  c.True("there are several levels: " + name, Multigrid(*system.matrix).GetNumberOfLevels() > 1);
+}
+
+/// Conjugate gradients with the squared preconditioners find the direct solution in few steps.
+void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& smoothing)
+{
+  const TestMesh mesh = Irregular(HalfSphere(4), 0.005);
+  System system(mesh, smoothing);
+  const Points direct = SolveDirectly(system.problem);
+  SolverOptions options;
+  options.tolerance = 1e-9;
+  options.maximumIterations = 5000;
+  const Solution multigrid =
+    Iterate<SquaredPreconditioner<Multigrid>>(system, options, system.problem, *system.matrix);
+  const Solution factorised = Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
+    system, options, system.problem, *system.matrix);
+  const Solution jacobi = Iterate<JacobiPreconditioner<float>>(system, options, system.problem);
+  c.Error("multigrid finds the direct solution: " + name,
+    MaximumDistance(multigrid.displacement, direct), 1e-6);
+  c.Error("the factorised K + R finds the direct solution: " + name,
+    MaximumDistance(factorised.displacement, direct), 1e-6);
+  // What is left to the diagonal, a boundary that slides, needs many iterations of its own.
+  const Index gain = smoothing.boundaryCondition == BoundaryCondition::SLIDING ? 2 : 10;
+  c.True("multigrid takes a fraction of Jacobi's iterations: " + name,
+    gain * multigrid.iterations <= jacobi.iterations);
+  c.True("the factorised K + R takes no more iterations than multigrid: " + name,
+    factorised.iterations <= multigrid.iterations);
+}
+
+void CheckPrediction(Checks& c)
+{
+  c.Error("a steady fall is extrapolated", std::abs(PredictIterations({ 1, 0.1, 0.01 }, 1e-6) - 4),
+    1e-12);
+  c.Error("the second half counts",
+    std::abs(PredictIterations({ 1, 1e-3, 1e-3, 1e-4, 1e-5 }, 1e-7) - 2), 1e-12);
+  c.True("no fall never arrives", std::isinf(PredictIterations({ 1, 0.5, 0.5 }, 1e-6)));
+  c.True("nothing is left at the tolerance", PredictIterations({ 1, 1e-7 }, 1e-6) == 0);
+}
+}
+
+int TestPreconditioners(int, char*[])
+{
+  Checks c;
+  CheckInverses(c, "L_u, closed", Irregular(Icosphere(4), 0.01), LaplacianType::UNIFORM);
+  CheckInverses(c, "L_u, fixed boundary", Irregular(HalfSphere(4), 0.01), LaplacianType::UNIFORM);
+  CheckInverses(c, "L_c, closed", Irregular(Icosphere(4), 0.01), LaplacianType::COTANGENT);
+  for (const LaplacianType type :
+    { LaplacianType::UNIFORM, LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
+  {
+    const std::string name = "L " + std::to_string(static_cast<int>(type));
+    OptimizerOptions options = Smoothing(type, 0.003);
+    CheckSolutions(c, name + ", fixed boundary", options);
+    options.boundaryCondition = BoundaryCondition::FREE;
+    CheckSolutions(c, name + ", free boundary", options);
+    options.boundaryCondition = BoundaryCondition::SLIDING;
+    CheckSolutions(c, name + ", sliding boundary", options);
+    options.tangentPlaneConstraints = true;
+    options.tangentPlaneWeight = 0.003;
+    CheckSolutions(c, name + ", sliding boundary, tangent planes", options);
+  }
+  CheckPrediction(c);
+  return c.Result();
+}
