@@ -107,15 +107,17 @@ public:
       }
       row = Scalar(Slots) * centre - (even + odd);
     }
-    for (Index k = this->Offsets[i] + Slots; k < this->Offsets[i + 1]; ++k)
+    if (this->Offsets[i] + Slots < this->Offsets[i + 1])
     {
-      const Scalar weight = Weighted ? Scalar(this->EdgeWeights[k]) : Scalar(1);
-      row += weight * (centre - this->X.col(this->Ids[k]));
+      this->AddOthers(i, row);
     }
     return row;
   }
 
 private:
+  /// The neighbours that have no slot.
+  void AddOthers(Index i, PackedRow<Scalar>& row) const;
+
   const ConstPackedView<Scalar> X;
   const Index* Neighbours;
   const Scalar* Weights;
@@ -123,6 +125,17 @@ private:
   const Index* Ids;
   const double* EdgeWeights;
 };
+
+template <typename Scalar>
+template <bool Weighted>
+void PackedStiffness<Scalar>::Rows<Weighted>::AddOthers(Index i, PackedRow<Scalar>& row) const
+{
+  for (Index k = this->Offsets[i] + Slots; k < this->Offsets[i + 1]; ++k)
+  {
+    const Scalar weight = Weighted ? Scalar(this->EdgeWeights[k]) : Scalar(1);
+    row += weight * (this->X.col(i) - this->X.col(this->Ids[k]));
+  }
+}
 
 extern template class PackedStiffness<float>;
 extern template class PackedStiffness<double>;

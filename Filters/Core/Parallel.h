@@ -11,8 +11,11 @@
 
 namespace lmo
 {
-/// Length of the partial sums of ParallelSum(), and the least work that is worth a thread.
+/// Length of the partial sums of ParallelSum().
 constexpr Index ParallelBlock = 2048;
+
+/// Fewest calls of a loop's body that are worth a thread.
+constexpr Index ParallelGrain = 256;
 
 /// Calls body(k) for every k in [0, count), in any order and on several threads, on those that
 /// vtkSMPTools provides.
@@ -35,11 +38,11 @@ void ParallelTasks(Index count, const Body& body)
 }
 
 /// Calls body(begin, end) for ranges that cover [0, count), in any order and on several threads.
-/// Every begin is a multiple of ParallelBlock.
+/// Every begin is a multiple of \a block.
 template <typename Body>
-void ParallelRanges(Index count, const Body& body)
+void ParallelRanges(Index count, const Body& body, Index block = ParallelBlock)
 {
-  const Index blocks = count / ParallelBlock + (count % ParallelBlock != 0);
+  const Index blocks = count / block + (count % block != 0);
   // Several ranges for each thread even out their speeds; more would cost in overhead.
   const Index ranges = std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads());
   ParallelTasks(ranges,
@@ -47,8 +50,8 @@ void ParallelRanges(Index count, const Body& body)
     {
       const auto bound = [&](Index k)
       {
-        const std::int64_t block = std::int64_t(blocks) * k / ranges;
-        return static_cast<Index>(std::min<std::int64_t>(count, block * ParallelBlock));
+        const std::int64_t first = std::int64_t(blocks) * k / ranges;
+        return static_cast<Index>(std::min<std::int64_t>(count, first * block));
       };
       body(bound(range), bound(range + 1));
     });
@@ -59,7 +62,8 @@ void ParallelRanges(Index count, const Body& body)
 template <typename Body>
 void ParallelFor(Index count, const Body& body)
 {
-  ParallelRanges(count,
+  ParallelRanges(
+    count,
     [&body](Index begin, Index end)
     {
       Body local = body; // what it holds by value stays in registers
@@ -67,7 +71,8 @@ void ParallelFor(Index count, const Body& body)
       {
         local(i);
       }
-    });
+    },
+    ParallelGrain);
 }
 
 /// Sum of body(sum, i) over i in [0, count), where body adds the term of i to its first argument.
