@@ -16,7 +16,7 @@ namespace lmo
 namespace
 {
 /// Predicted iterations above which another preconditioner pays for its setup.
-constexpr Index AffordableJacobiIterations = 250;
+constexpr Index AffordableJacobiIterations = 150;
 constexpr Index AffordableMultigridIterations = 60;
 
 double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)

@@ -87,6 +87,10 @@ Case Smoothing(const std::string& name, const std::string& title, int laplacian,
       filter->SetPositionWeighting(weighting);
     });
   result.table = CaseTable::Smoothing;
+  if (laplacian != Optimizer::UNIFORM)
+  {
+    result.maximumVertices = 1000000;
+  }
   return result;
 }
 

@@ -166,22 +166,25 @@ Measurement Median(std::vector<Measurement> measurements)
 }
 
 #ifdef __GLIBC__
-double MeasureMemory(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh)
+double MeasureMemory(
+  vtkPolyDataAlgorithm* filter, vtkPolyData* mesh, const std::function<void()>& update)
 {
   // Free memory goes back to the system: taking it again shall count. 5 resets the peak.
   malloc_trim(0);
   if (!(std::ofstream("/proc/self/clear_refs") << "5" << std::flush))
   {
+    update();
     return NoValue;
   }
   const double before = ProcessBytes("VmRSS:");
-  filter->Update();
+  update();
   const double peak = ProcessBytes("VmHWM:");
   return std::max(0., peak - before - BytesOfNewParts(filter->GetOutput(), mesh));
 }
 #else
-double MeasureMemory(vtkPolyDataAlgorithm*, vtkPolyData*)
+double MeasureMemory(vtkPolyDataAlgorithm*, vtkPolyData*, const std::function<void()>& update)
 {
+  update();
   return NoValue;
 }
 #endif

@@ -4,6 +4,7 @@
 #define BenchmarkMeasurement_h
 
 #include <array>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -40,8 +41,9 @@ Measurement MeasureTime(vtkPolyDataAlgorithm* filter);
 /// The measurement with the median time; of an even number, the slower of the two in the middle.
 Measurement Median(std::vector<Measurement> measurements);
 
-/// Memory that one Update() takes at its peak beyond input and output, in bytes; the mesh is the
-/// input. NoValue where the system does not tell.
-double MeasureMemory(vtkPolyDataAlgorithm* filter, vtkPolyData* mesh);
+/// Memory that update(), which updates \a filter, takes at its peak beyond input and output, in
+/// bytes; the mesh is the input. NoValue where the system does not tell.
+double MeasureMemory(
+  vtkPolyDataAlgorithm* filter, vtkPolyData* mesh, const std::function<void()>& update);
 
 #endif

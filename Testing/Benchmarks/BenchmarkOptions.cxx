@@ -16,6 +16,7 @@ Times vtkLaplacianMeshOptimizer, and filters of others in the same run.
                      which all times are compared, always runs
   --threads 1,2,...  once with each of these numbers (default: 1 and one for each processor)
   --repeats N        rounds, of which the median is reported (default: 5)
+  --budget SECONDS   a column that has taken this long is not repeated (default: 10)
   --data DIR         the .ply, .obj, .stl and .vtp files in this folder are meshes, too
   --csv FILE         write the results as CSV
   --markdown FILE    write the results as tables
@@ -74,6 +75,7 @@ BenchmarkOptions ReadOptions(const std::vector<std::string>& arguments)
     { "--cases", [&](const std::string& value) { options.cases = Split(value); } },
     { "--threads", [&](const std::string& value) { options.threads = PositiveNumbers(value); } },
     { "--repeats", [&](const std::string& value) { options.repeats = PositiveNumber(value); } },
+    { "--budget", [&](const std::string& value) { options.budget = PositiveNumber(value); } },
     { "--data", [&](const std::string& value) { options.dataFolder = value; } },
     { "--csv", [&](const std::string& value) { options.csvFile = value; } },
     { "--markdown", [&](const std::string& value) { options.markdownFile = value; } },

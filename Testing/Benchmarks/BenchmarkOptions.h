@@ -13,6 +13,7 @@ struct BenchmarkOptions
   std::vector<std::string> cases;  ///< patterns; empty: all
   std::vector<int> threads;
   int repeats = 5;
+  double budget = 10; ///< seconds
   std::string dataFolder;
   std::string csvFile;
   std::string markdownFile;

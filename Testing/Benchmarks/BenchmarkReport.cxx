@@ -54,9 +54,10 @@ std::string Format(double value, int decimals)
   return text;
 }
 
-Report::Report(std::vector<Case> cases, int repeats, const std::string& machine)
+Report::Report(std::vector<Case> cases, int repeats, double budget, const std::string& machine)
   : Cases(std::move(cases))
   , Repeats(repeats)
+  , Budget(budget)
   , Machine(machine)
 {
 }
@@ -210,7 +211,8 @@ void Report::WriteMarkdown(std::ostream& out) const
   out << "# Benchmark\n\n";
   out << (this->Machine.empty() ? "" : "Machine: " + this->Machine + "; ") << "VTK "
       << vtkVersion::GetVTKVersion() << cgal << ".\n\n";
-  out << Legend << "\nAll times are medians. Rounds: " << this->Repeats << ".\n";
+  out << Legend << "\nAll times are medians. Rounds: " << this->Repeats
+      << "; fewer where a column took more than " << Format(this->Budget, 0) << " s.\n";
   for (const int threads : this->Threads)
   {
     out << "\n## Time on " << threads << (threads == 1 ? " thread\n" : " threads\n");

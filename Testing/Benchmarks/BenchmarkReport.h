@@ -31,7 +31,7 @@ class Report
 {
 public:
   /// \param machine in words; may be empty
-  Report(std::vector<Case> cases, int repeats, const std::string& machine);
+  Report(std::vector<Case> cases, int repeats, double budget, const std::string& machine);
 
   void Add(const Result& result);
 
@@ -67,6 +67,7 @@ private:
 
   std::vector<Case> Cases;
   int Repeats;
+  double Budget;
   std::string Machine;
   std::vector<Result> Results;
   std::vector<std::string> Meshes; ///< in the order of their results

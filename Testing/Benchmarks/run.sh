@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds the benchmark in build/ and runs all of it, which takes hours; writes build/benchmark.csv and
+# Builds the benchmark in build/ and runs all of it, which takes an hour or two; writes build/benchmark.csv and
 # Documentation/benchmark.md. Installs what it needs on Debian and Ubuntu. Arguments go to the
 # benchmark: bash Testing/Benchmarks/run.sh --meshes 'icosphere*' --markdown build/icosphere.md
 #   --quick              only the smallest meshes; writes build/benchmark.md instead
