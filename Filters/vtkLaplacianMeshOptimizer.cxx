@@ -51,7 +51,12 @@ void CheckNumber(const char* name, double value, bool isValid, const char* range
 /// differs in a property alone.
 struct vtkLaplacianMeshOptimizer::Internals
 {
-  vtkLaplacianMeshOptimizer* Filter;
+  explicit Internals(vtkLaplacianMeshOptimizer* filter)
+    : Filter(filter)
+  {
+  }
+
+  vtkLaplacianMeshOptimizer* const Filter;
 
   vtkPolyData* Input = nullptr; ///< that Optimizer holds, to be compared only
   vtkMTimeType InputTime = 0;
@@ -81,7 +86,7 @@ struct vtkLaplacianMeshOptimizer::Internals
 vtkStandardNewMacro(vtkLaplacianMeshOptimizer);
 
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
-  : State(new Internals{ this })
+  : State(new Internals(this))
 {
 }
 

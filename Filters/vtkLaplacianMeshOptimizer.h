@@ -222,8 +222,9 @@ public:
   ///@{
   /**
    * DIRECT (1): factorise the normal equations. ITERATIVE (2): conjugate gradients without forming
-   * them. AUTOMATIC (0): iterative, and direct if that does not reach the tolerance.
-   * Default: AUTOMATIC.
+   * them; with strong smoothing or very thin triangles they switch to a multigrid preconditioner or
+   * to a factorisation of a smaller matrix. AUTOMATIC (0): iterative, and direct if that does not
+   * reach the tolerance. Default: AUTOMATIC.
    */
   vtkSetMacro(SolverType, int);
   vtkGetMacro(SolverType, int);

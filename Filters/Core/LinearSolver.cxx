@@ -9,7 +9,6 @@
 #include "StiffnessFactorisation.h"
 
 #include <cmath>
-#include <type_traits>
 
 namespace lmo
 {
@@ -68,7 +67,7 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
   return 11 * problem.Size() / sum;
 }
 
-/// Tries the cheapest preconditioner first.
+/// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
 void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
   Monitor& monitor, Solution& solution)
 {
@@ -92,8 +91,17 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   }
   catch (const SolverError&)
   {
-    // K + R is singular in double precision; what follows decides.
+    // K + R is singular to double precision; what follows decides.
   }
+}
+
+/// Double precision reaches what single precision cannot represent, such as weights of 1e-25.
+void IterateInDouble(const LeastSquaresProblem& problem, const SolverOptions& options,
+  Monitor& monitor, Solution& solution)
+{
+  PackedEquations<double> A(problem);
+  Iterate<JacobiPreconditioner<double>>(
+    A, options, options.maximumIterations, monitor, solution, problem);
 }
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
@@ -140,9 +148,10 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     solution.displacement = Points::Zero(problem.Size(), 3);
   }
-  if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
+  if (!IsSolved(solution, options))
   {
-    ImproveDirectly(problem, solution);
+    type == SolverType::AUTOMATIC ? ImproveDirectly(problem, solution)
+                                  : IterateInDouble(problem, options, monitor, solution);
   }
   return solution;
 }

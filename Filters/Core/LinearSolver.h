@@ -7,7 +7,9 @@
 
 namespace lmo
 {
-/// How to solve a least-squares problem.
+/// How to solve a least-squares problem. The iterative solution is that of conjugate gradients,
+/// whose preconditioner is chosen by how the residual falls: the diagonal, (K + R) Q (K + R) by
+/// multigrid, or the same by a factorisation of K + R.
 enum class SolverType
 {
   AUTOMATIC, ///< iterative; direct if that does not reach the tolerance

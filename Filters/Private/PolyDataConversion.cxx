@@ -141,8 +141,9 @@ struct CopyTriangles
     const auto count = static_cast<Index>(triangles.rows());
     const auto isOutOfRange = [&](Index t)
     {
+      const vtkIdType first = 3 * vtkIdType(t);
       const auto [least, most] = std::minmax(
-        { ids[3 * vtkIdType(t)], ids[3 * vtkIdType(t) + 1], ids[3 * vtkIdType(t) + 2] });
+        { vtkIdType(ids[first]), vtkIdType(ids[first + 1]), vtkIdType(ids[first + 2]) });
       return least < 0 || most >= points;
     };
     const Index faults = ParallelSum(count, Index(0),
