@@ -3,10 +3,8 @@
 #include "LinearSolver.h"
 
 #include "DirectSolver.h"
-#include "Multigrid.h"
 #include "Parallel.h"
 #include "SquaredPreconditioner.h"
-#include "StiffnessFactorisation.h"
 
 #include <cmath>
 
@@ -28,19 +26,17 @@ bool IsSolved(const Solution& solution, const SolverOptions& options)
   return solution.relativeResidual <= options.tolerance;
 }
 
-/// Goes on from the solution so far, unless it is good enough; keeps it if no better one is found.
-/// \tparam Preconditioner made from \a sources
-/// \param affordable as in ConjugateGradient::Run()
-template <typename Preconditioner, typename Scalar, typename... Sources>
-void Iterate(PackedEquations<Scalar>& A, const SolverOptions& options, Index affordable,
-  Monitor& monitor, Solution& solution, const Sources&... sources)
+bool IsFinished(const Solution& solution, const SolverOptions& options)
 {
-  if (IsSolved(solution, options) || solution.iterations >= options.maximumIterations)
-  {
-    return;
-  }
-  monitor.Report(0);
-  Preconditioner M(sources...);
+  return IsSolved(solution, options) || solution.iterations >= options.maximumIterations;
+}
+
+/// Goes on from the solution so far; keeps it if no better one is found.
+/// \param affordable as in ConjugateGradient::Run()
+template <typename Preconditioner, typename Scalar>
+void Iterate(PackedEquations<Scalar>& A, Preconditioner&& M, const SolverOptions& options,
+  Index affordable, Monitor& monitor, Solution& solution)
+{
   Solution next = solution;
   ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M)
     .Run(options, affordable, monitor, next);
@@ -68,31 +64,33 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
 }
 
 /// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
+/// \throw SolverError if K + R is singular to double precision.
 void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
-  Monitor& monitor, Solution& solution)
+  Monitor& monitor, InverseCache& inverses, Solution& solution)
 {
   PackedEquations<float> A(problem);
   if (ExpectedJacobiIterations(problem) < AffordableJacobiIterations)
   {
-    Iterate<JacobiPreconditioner<float>>(
-      A, options, AffordableJacobiIterations, monitor, solution, problem);
+    Iterate(A, JacobiPreconditioner<float>(problem), options, AffordableJacobiIterations, monitor,
+      solution);
   }
-  if (IsSolved(solution, options))
+  if (IsFinished(solution, options))
   {
     return;
   }
-  const ShiftedStiffness matrix(problem, A.GetStiffness());
-  Iterate<SquaredPreconditioner<Multigrid>>(
-    A, options, AffordableMultigridIterations, monitor, solution, problem, matrix);
-  try
+  monitor.Report(0);
+  const auto matrix = std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness());
+  Iterate(A, SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix)),
+    options, AffordableMultigridIterations, monitor, solution);
+  if (IsFinished(solution, options))
   {
-    Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
-      A, options, options.maximumIterations, monitor, solution, problem, matrix);
+    return;
   }
-  catch (const SolverError&)
-  {
-    // K + R is singular to double precision; what follows decides.
-  }
+  monitor.Report(0);
+  Iterate(A,
+    SquaredPreconditioner<StiffnessFactorisation>(
+      problem, matrix, inverses.GetFactorisation(matrix)),
+    options, options.maximumIterations, monitor, solution);
 }
 
 /// Double precision reaches what single precision cannot represent, such as weights of 1e-25.
@@ -100,8 +98,8 @@ void IterateInDouble(const LeastSquaresProblem& problem, const SolverOptions& op
   Monitor& monitor, Solution& solution)
 {
   PackedEquations<double> A(problem);
-  Iterate<JacobiPreconditioner<double>>(
-    A, options, options.maximumIterations, monitor, solution, problem);
+  Iterate(A, JacobiPreconditioner<double>(problem), options, options.maximumIterations, monitor,
+    solution);
 }
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
@@ -125,7 +123,7 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
 }
 
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-  Monitor& monitor)
+  Monitor& monitor, InverseCache& inverses)
 {
   Solution solution;
   solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
@@ -143,15 +141,25 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
       ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
     return solution;
   }
-  SolveIteratively(problem, options, monitor, solution);
+  try
+  {
+    SolveIteratively(problem, options, monitor, inverses, solution);
+  }
+  catch (const SolverError&)
+  {
+    // What follows decides.
+  }
   if (solution.displacement.rows() == 0)
   {
     solution.displacement = Points::Zero(problem.Size(), 3);
   }
-  if (!IsSolved(solution, options))
+  if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
   {
-    type == SolverType::AUTOMATIC ? ImproveDirectly(problem, solution)
-                                  : IterateInDouble(problem, options, monitor, solution);
+    ImproveDirectly(problem, solution);
+  }
+  else if (!IsFinished(solution, options))
+  {
+    IterateInDouble(problem, options, monitor, solution);
   }
   return solution;
 }

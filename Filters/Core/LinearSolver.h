@@ -4,6 +4,7 @@
 #define lmo_LinearSolver_h
 
 #include "ConjugateGradient.h"
+#include "InverseCache.h"
 
 namespace lmo
 {
@@ -17,10 +18,11 @@ enum class SolverType
   ITERATIVE
 };
 
+/// \param inverses from problems before, which may help
 /// \throw SolverError if a direct solution is asked for and the matrix is singular.
 /// \throw Cancelled if the monitor says so.
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-  Monitor& monitor);
+  Monitor& monitor, InverseCache& inverses);
 }
 
 #endif

@@ -53,13 +53,13 @@ private:
 };
 }
 
-Multigrid::Multigrid(const ShiftedStiffness& matrix)
-  : Matrix(matrix)
+Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix)
+  : Matrix(std::move(matrix))
 {
-  SparseRows coarse = this->AddLevel(matrix);
-  for (Index i = 0; i < matrix.Size(); ++i)
+  SparseRows coarse = this->AddLevel(*this->Matrix);
+  for (Index i = 0; i < this->Matrix->Size(); ++i)
   {
-    this->Levels[0].smootherScale[i] *= !matrix.isLeftOut[i];
+    this->Levels[0].smootherScale[i] *= !this->Matrix->isLeftOut[i];
   }
   while (coarse.rows() > 0)
   {
@@ -156,10 +156,10 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
     body(SparseRowsTimes(this->Levels[index].A, x));
     return;
   }
-  this->Matrix.K.WithRows(x,
+  this->Matrix->K->WithRows(x,
     [&](const auto& Kx)
     {
-      body([Kx, shift = this->Matrix.shift.data(), x = View(x)](Index i)
+      body([Kx, shift = this->Matrix->shift.data(), x = View(x)](Index i)
         { return Row(Kx(i) + shift[i] * x.col(i)); });
     });
 }
@@ -167,7 +167,7 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
 void Multigrid::Smooth(std::size_t index, PackedPoints<float>& solution)
 {
   Level& level = this->Levels[index];
-  const SmootherOptions options = this->Matrix.L.edgeWeights ? CotangentSmoother : UniformSmoother;
+  const SmootherOptions options = this->Matrix->L.edgeWeights ? CotangentSmoother : UniformSmoother;
   const float upper = LargestEigenvalue;
   const float lower = upper / options.share;
   const float centre = (upper + lower) / 2;

@@ -17,12 +17,12 @@ class Multigrid
 public:
   using Values = Eigen::ArrayXf;
 
-  /// Keeps a reference to \a matrix.
-  explicit Multigrid(const ShiftedStiffness& matrix);
+  explicit Multigrid(std::shared_ptr<const ShiftedStiffness> matrix);
 
   /// solution = approximately (K + R)^-1 rightHandSide
   void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
 
+  const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
 
 private:
@@ -59,7 +59,7 @@ private:
   /// \pre The level's residual is that of \a solution.
   void Smooth(std::size_t index, PackedPoints<float>& solution);
 
-  const ShiftedStiffness& Matrix;
+  std::shared_ptr<const ShiftedStiffness> Matrix;
   std::vector<Level> Levels;
   Eigen::SimplicialLDLT<SparseMatrix> Coarsest;
 };

@@ -103,7 +103,8 @@ OptimizerResult Optimizer::RunInOrder(
   const std::optional<FeatureLines> boundary = SlidingBoundary(mesh, options.boundaryCondition);
   LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, boundary);
   monitor.Begin("Solving");
-  const Solution solution = Solve(problem, options.solverType, options.solver, monitor);
+  const Solution solution =
+    Solve(problem, options.solverType, options.solver, monitor, this->Inverses);
 
   monitor.Begin("Comparing the surfaces");
   OptimizerResult result;

@@ -3,6 +3,7 @@
 #ifndef lmo_Optimizer_h
 #define lmo_Optimizer_h
 
+#include "InverseCache.h"
 #include "OptimizerOptions.h"
 #include "SurfaceComparison.h"
 #include "VertexOrder.h"
@@ -39,12 +40,15 @@ public:
   /// The mesh, perhaps renumbered.
   const MeshAnalysis& GetMesh() const { return *this->Mesh; }
 
+  const InverseCache& GetInverses() const { return this->Inverses; }
+
 private:
   OptimizerResult RunInOrder(
     const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
 
   MeshOrder Order;
   std::unique_ptr<MeshAnalysis> Mesh;
+  InverseCache Inverses;
 };
 
 /// Optimizer::Run() for a mesh that is used once.

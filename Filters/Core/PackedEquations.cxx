@@ -9,7 +9,7 @@ namespace lmo
 template <typename Scalar>
 PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
   : Problem(problem)
-  , K(problem.L)
+  , K(std::make_shared<const PackedStiffness<Scalar>>(problem.L))
   , Q(problem.Size())
   , SquaredPositionWeights(problem.Size())
   , RowValues(4, problem.Size())
@@ -27,14 +27,14 @@ template <typename Scalar>
 Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   auto rowValues = View(this->RowValues);
-  this->K.WithRows(x,
+  this->K->WithRows(x,
     [&](const auto& Kx)
     {
       const Scalar* Q = this->Q.data();
       ParallelFor(this->Size(), [=](Index i) mutable { rowValues.col(i) = Q[i] * Kx(i); });
     });
   Dots dots;
-  this->K.WithRows(this->RowValues,
+  this->K->WithRows(this->RowValues,
     [&](const auto& KQKx)
     {
       const Scalar* squaredWeights = this->SquaredPositionWeights.data();

@@ -44,7 +44,7 @@ public:
 
   Index Size() const { return this->Problem.Size(); }
   const LeastSquaresProblem& GetProblem() const { return this->Problem; }
-  const PackedStiffness<Scalar>& GetStiffness() const { return this->K; }
+  std::shared_ptr<const PackedStiffness<Scalar>> GetStiffness() const { return this->K; }
 
   /// product = A x, for x within the motion allowed.
   /// \return the inner products of x and A x; three times their sum if the problem is coupled
@@ -55,7 +55,7 @@ private:
   Dots FinishCoupled(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 
   const LeastSquaresProblem& Problem;
-  PackedStiffness<Scalar> K;
+  std::shared_ptr<const PackedStiffness<Scalar>> K;
   Eigen::Array<Scalar, Eigen::Dynamic, 1> Q;
   Eigen::Array<Scalar, Eigen::Dynamic, 1> SquaredPositionWeights;
   PackedPoints<Scalar> RowValues;

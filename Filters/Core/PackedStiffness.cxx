@@ -8,7 +8,8 @@ namespace lmo
 {
 template <typename Scalar>
 PackedStiffness<Scalar>::PackedStiffness(const Laplacian& L)
-  : L(L)
+  : OneRings(L.rings)
+  , EdgeWeights(L.edgeWeights)
 {
   const AdjacencyLists& rings = *L.rings;
   const auto rows = static_cast<Index>(rings.offsets.size()) - 1;

@@ -62,7 +62,8 @@ private:
   template <bool Weighted>
   class Rows;
 
-  const Laplacian& L;
+  std::shared_ptr<const AdjacencyLists> OneRings;
+  std::shared_ptr<const Vector> EdgeWeights;
   Eigen::Array<Index, Slots, Eigen::Dynamic> Neighbours;
   Eigen::Array<Scalar, Slots, Eigen::Dynamic> Weights; ///< no columns if all are 1
 };
@@ -76,9 +77,9 @@ public:
     : X(View(x))
     , Neighbours(K.Neighbours.data())
     , Weights(K.Weights.data())
-    , Offsets(K.L.rings->offsets.data())
-    , Ids(K.L.rings->ids.data())
-    , EdgeWeights(Weighted ? K.L.edgeWeights->data() : nullptr)
+    , Offsets(K.OneRings->offsets.data())
+    , Ids(K.OneRings->ids.data())
+    , EdgeWeights(Weighted ? K.EdgeWeights->data() : nullptr)
   {
   }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lmo
 {
@@ -16,9 +17,9 @@ constexpr double SmallestRelativeR = 1e-6; ///< where W_p = 0: relative to E
 }
 
 ShiftedStiffness::ShiftedStiffness(
-  const LeastSquaresProblem& problem, const PackedStiffness<float>& K)
-  : L(problem.L)
-  , K(K)
+  const LeastSquaresProblem& problem, std::shared_ptr<const PackedStiffness<float>> K)
+  : L{ problem.L.rings, problem.L.edgeWeights, {} }
+  , K(std::move(K))
   , shift(problem.Size())
   , inverseQ(problem.Size())
   , isLeftOut(problem.Size())
@@ -37,5 +38,16 @@ ShiftedStiffness::ShiftedStiffness(
       this->shift[i] =
         static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(q), least));
     });
+}
+
+bool ShiftedStiffness::HasPatternOf(const ShiftedStiffness& other) const
+{
+  return this->L.rings == other.L.rings && this->isLeftOut == other.isLeftOut;
+}
+
+bool ShiftedStiffness::IsEqualTo(const ShiftedStiffness& other) const
+{
+  return this->HasPatternOf(other) && this->L.edgeWeights == other.L.edgeWeights &&
+         (this->shift == other.shift).all();
 }
 }

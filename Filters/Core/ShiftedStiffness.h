@@ -15,14 +15,21 @@ struct ShiftedStiffness
 {
   using Values = Eigen::ArrayXf;
 
-  const Laplacian& L;
-  const PackedStiffness<float>& K;
+  Laplacian L; ///< without row scales
+  std::shared_ptr<const PackedStiffness<float>> K;
   Values shift;    ///< diagonal of R, > 0
   Values inverseQ; ///< > 0, but 0 at vertices left out
   Mask isLeftOut;
 
-  /// Keeps references to the Laplacian and to \a K, which is made from it.
-  ShiftedStiffness(const LeastSquaresProblem& problem, const PackedStiffness<float>& K);
+  /// \param K that of the problem's Laplacian
+  ShiftedStiffness(
+    const LeastSquaresProblem& problem, std::shared_ptr<const PackedStiffness<float>> K);
+
+  /// Entries of both matrices are in the same places.
+  bool HasPatternOf(const ShiftedStiffness& other) const;
+
+  /// Both are the same matrix; Q does not matter.
+  bool IsEqualTo(const ShiftedStiffness& other) const;
 
   Index Size() const { return static_cast<Index>(this->shift.size()); }
 

@@ -7,6 +7,8 @@
 #include "Preconditioner.h"
 #include "ShiftedStiffness.h"
 
+#include <utility>
+
 namespace lmo
 {
 /// M = (K + R) Q (K + R) for the vertices that are free to move, the diagonal for the others. The
@@ -18,37 +20,38 @@ class SquaredPreconditioner
 public:
   static constexpr bool IsRowWise = false;
 
-  /// Keeps a reference to \a matrix.
-  SquaredPreconditioner(const LeastSquaresProblem& problem, const ShiftedStiffness& matrix)
-    : Matrix(matrix)
-    , Factor(matrix)
+  /// \param matrix Q and the vertices left out
+  SquaredPreconditioner(const LeastSquaresProblem& problem,
+    std::shared_ptr<const ShiftedStiffness> matrix, std::shared_ptr<Inverse> inverse)
+    : Matrix(std::move(matrix))
+    , Factor(std::move(inverse))
     , Jacobi(problem)
-    , Intermediate(4, matrix.Size())
-    , Result(4, matrix.Size())
+    , Intermediate(4, this->Matrix->Size())
+    , Result(4, this->Matrix->Size())
   {
   }
 
   /// Computes M^-1 residual.
   void Prepare(const PackedPoints<float>& residual)
   {
-    this->Factor.Apply(residual, this->Intermediate);
-    ParallelFor(this->Matrix.Size(),
-      [x = View(this->Intermediate), inverseQ = this->Matrix.inverseQ.data()](Index i) mutable
+    this->Factor->Apply(residual, this->Intermediate);
+    ParallelFor(this->Matrix->Size(),
+      [x = View(this->Intermediate), inverseQ = this->Matrix->inverseQ.data()](Index i) mutable
       { x.col(i) *= inverseQ[i]; });
-    this->Factor.Apply(this->Intermediate, this->Result);
+    this->Factor->Apply(this->Intermediate, this->Result);
   }
 
   /// The rows of M^-1 residual; cheap to copy.
   auto GetRows() const
   {
     return [result = View(this->Result), jacobi = this->Jacobi.GetRows(),
-             isLeftOut = this->Matrix.isLeftOut.data()](Index i, const PackedRow<float>& residual)
+             isLeftOut = this->Matrix->isLeftOut.data()](Index i, const PackedRow<float>& residual)
     { return isLeftOut[i] ? jacobi(i, residual) : PackedRow<float>(result.col(i)); };
   }
 
 private:
-  const ShiftedStiffness& Matrix;
-  Inverse Factor;
+  std::shared_ptr<const ShiftedStiffness> Matrix;
+  std::shared_ptr<Inverse> Factor;
   JacobiPreconditioner<float> Jacobi;
   PackedPoints<float> Intermediate;
   PackedPoints<float> Result;

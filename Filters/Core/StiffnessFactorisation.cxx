@@ -8,6 +8,9 @@
 
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+#include <utility>
+
 namespace lmo
 {
 namespace
@@ -32,26 +35,47 @@ SparseMatrix LowerTriangle(const ShiftedStiffness& matrix)
   lower.finalize();
   return lower;
 }
+
+using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Index>;
+
+/// Place of each unknown in an order with few entries.
+std::vector<Index> FindOrder(const SparseMatrix& lower)
+{
+  Permutation inverse;
+  Ordering()(SparseMatrix(lower.selfadjointView<Eigen::Lower>()), inverse);
+  const auto& places = Permutation(inverse.inverse()).indices();
+  return { places.data(), places.data() + places.size() };
 }
 
-StiffnessFactorisation::StiffnessFactorisation(const ShiftedStiffness& matrix)
-  : PlaceOf(matrix.Size())
-  , Work(4, matrix.Size())
+SparseMatrix Permuted(const SparseMatrix& lower, const std::vector<Index>& placeOf)
 {
-  const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering> factorisation(
-    LowerTriangle(matrix));
+  Permutation permutation(lower.rows());
+  std::copy(placeOf.begin(), placeOf.end(), permutation.indices().data());
+  SparseMatrix permuted(lower.rows(), lower.cols());
+  permuted.selfadjointView<Eigen::Lower>() =
+    lower.selfadjointView<Eigen::Lower>().twistedBy(permutation);
+  return permuted;
+}
+}
+
+StiffnessFactorisation::StiffnessFactorisation(
+  std::shared_ptr<const ShiftedStiffness> matrix, const StiffnessFactorisation* previous)
+  : Matrix(std::move(matrix))
+  , Work(4, this->Matrix->Size())
+{
+  const SparseMatrix lower = LowerTriangle(*this->Matrix);
+  this->PlaceOf = previous && previous->Matrix->HasPatternOf(*this->Matrix)
+                    ? previous->PlaceOf
+                    : std::make_shared<const std::vector<Index>>(FindOrder(lower));
+  const Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Eigen::NaturalOrdering<Index>>
+    factorisation(Permuted(lower, *this->PlaceOf));
   if (factorisation.info() != Eigen::Success || !factorisation.vectorD().allFinite())
   {
     throw SolverError("K + R is singular.");
   }
   const SparseMatrix& columns = factorisation.matrixL().nestedExpression();
-  const auto& order = factorisation.permutationP().indices();
-  for (Index i = 0; i < matrix.Size(); ++i)
-  {
-    this->PlaceOf[i] = order.size() > 0 ? order[i] : i;
-  }
   this->InverseD = factorisation.vectorD().cwiseInverse().cast<float>().array();
-  this->Offsets.assign(columns.outerIndexPtr(), columns.outerIndexPtr() + matrix.Size() + 1);
+  this->Offsets.assign(columns.outerIndexPtr(), columns.outerIndexPtr() + columns.cols() + 1);
   this->Columns.assign(columns.innerIndexPtr(), columns.innerIndexPtr() + columns.nonZeros());
   this->Entries.assign(columns.valuePtr(), columns.valuePtr() + columns.nonZeros());
 }
@@ -60,8 +84,9 @@ void StiffnessFactorisation::Apply(
   const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
 {
   using Row = PackedRow<float>;
-  const auto size = static_cast<Index>(this->PlaceOf.size());
-  ParallelFor(size, [&](Index i) { this->Work.col(this->PlaceOf[i]) = rightHandSide.col(i); });
+  const std::vector<Index>& placeOf = *this->PlaceOf;
+  const auto size = static_cast<Index>(placeOf.size());
+  ParallelFor(size, [&](Index i) { this->Work.col(placeOf[i]) = rightHandSide.col(i); });
   auto x = View(this->Work);
   const Index* offsets = this->Offsets.data();
   const Index* columns = this->Columns.data();
@@ -84,6 +109,6 @@ void StiffnessFactorisation::Apply(
     }
     x.col(i) = xi;
   }
-  ParallelFor(size, [&](Index i) { solution.col(i) = this->Work.col(this->PlaceOf[i]); });
+  ParallelFor(size, [&](Index i) { solution.col(i) = this->Work.col(placeOf[i]); });
 }
 }

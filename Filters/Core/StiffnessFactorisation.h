@@ -12,16 +12,25 @@ namespace lmo
 class StiffnessFactorisation
 {
 public:
+  /// \param previous if it has the same pattern, its order of the unknowns is taken over; may be
+  /// null
   /// \throw SolverError if the matrix is singular.
-  explicit StiffnessFactorisation(const ShiftedStiffness& matrix);
+  StiffnessFactorisation(
+    std::shared_ptr<const ShiftedStiffness> matrix, const StiffnessFactorisation* previous);
 
   /// solution = (K + R)^-1 rightHandSide
   void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
 
+  const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
+
+  /// Place of each vertex in the order of the unknowns; the same object if it was taken over.
+  std::shared_ptr<const std::vector<Index>> GetOrder() const { return this->PlaceOf; }
+
 private:
   using Values = Eigen::ArrayXf;
 
-  std::vector<Index> PlaceOf; ///< of each vertex in the order of the factorisation
+  std::shared_ptr<const ShiftedStiffness> Matrix;
+  std::shared_ptr<const std::vector<Index>> PlaceOf;
   std::vector<Index> Offsets; ///< of the rows of U without the diagonal
   std::vector<Index> Columns;
   std::vector<float> Entries;

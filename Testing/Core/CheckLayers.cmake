@@ -30,6 +30,7 @@ set(layers
   Ordering
   Multigrid
   StiffnessFactorisation
+  InverseCache
   SquaredPreconditioner
   ConjugateGradient
   DirectSolver

@@ -199,6 +199,15 @@ TestMesh WithIsolatedPoint(const TestMesh& mesh)
   return result;
 }
 
+TestMesh WithThinTriangles(TestMesh mesh)
+{
+  for (Index t = 0; t < mesh.T.rows(); t += 20)
+  {
+    mesh.V.row(mesh.T(t, 0)) += 0.99 * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
+  }
+  return mesh;
+}
+
 TestMesh WithTriangle(TestMesh mesh, Index a, Index b, Index c)
 {
   mesh.T.conservativeResize(mesh.T.rows() + 1, 3);

@@ -80,6 +80,9 @@ TestMesh Irregular(TestMesh mesh, double amplitude);
 /// The mesh with one more triangle.
 TestMesh WithTriangle(TestMesh mesh, lmo::Index a, lmo::Index b, lmo::Index c);
 
+/// Moves a vertex of every 20th triangle to a hundredth of an edge from its neighbour.
+TestMesh WithThinTriangles(TestMesh mesh);
+
 /// V scaled and moved.
 TestMesh Transformed(TestMesh mesh, double scale, const lmo::Vector3& shift = { 0, 0, 0 });
 

@@ -296,6 +296,48 @@ void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
   c.True("linear weights need the statistics and components and nothing else: " + name,
     optimizer.GetMesh().GetNumberOfParts() == parts + 2);
 }
+
+/// Multigrid hierarchies, factorisations and orders of the unknowns made so far.
+std::vector<int> Counts(const Optimizer& optimizer)
+{
+  const InverseCache& inverses = optimizer.GetInverses();
+  return { inverses.GetNumberOfHierarchies(), inverses.GetNumberOfFactorisations(),
+    inverses.GetNumberOfOrders() };
+}
+
+void CheckReuseOfInverses(Checks& c)
+{
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.scaleFactor = 0.003;
+  options.solverType = SolverType::ITERATIVE;
+  Monitor monitor;
+  const TestMesh sphere = Irregular(Icosphere(5), 0.005);
+  Optimizer smooth(sphere.V, sphere.T);
+  smooth.Run(options, {}, monitor);
+  options.solver.tolerance = 1e-9;
+  const OptimizerResult again = smooth.Run(options, {}, monitor);
+  c.True("another tolerance needs no new hierarchy", Counts(smooth) == std::vector<int>{ 1, 0, 0 });
+  c.Error("a kept hierarchy gives the same result",
+    MaximumDistance(again.positions, Run(sphere, options).positions), 0);
+  options.scaleFactor = 0.002;
+  smooth.Run(options, {}, monitor);
+  c.True("another scale factor needs a new hierarchy", Counts(smooth)[0] == 2);
+
+  options.laplacianType = LaplacianType::MEAN_CURVATURE;
+  const TestMesh thin = WithThinTriangles(Icosphere(5));
+  Optimizer hard(thin.V, thin.T);
+  hard.Run(options, {}, monitor);
+  options.solver.tolerance = 1e-6;
+  hard.Run(options, {}, monitor);
+  c.True(
+    "another tolerance needs no new factorisation", Counts(hard) == std::vector<int>{ 1, 1, 1 });
+  options.scaleFactor = 0.003;
+  const OptimizerResult changed = hard.Run(options, {}, monitor);
+  c.True("another scale factor needs a new factorisation in the kept order",
+    Counts(hard) == std::vector<int>{ 2, 2, 1 });
+  c.Error("a kept order gives the same result",
+    MaximumDistance(changed.positions, Run(thin, options).positions), 0);
+}
 }
 
 int TestOptimizer(int, char*[])
@@ -308,6 +350,7 @@ int TestOptimizer(int, char*[])
   CheckPositionWeights(c);
   CheckLaplacianWeights(c);
   CheckMissingArrays(c);
+  CheckReuseOfInverses(c);
   CheckReuse(c, "sphere", Irregular(Icosphere(3), 0.02));
   CheckReuse(c, "scattered", Irregular(Icosphere(6), 0.002));
   return c.Result();

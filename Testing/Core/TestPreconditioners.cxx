@@ -6,12 +6,12 @@
 
 #include "Core/ConjugateGradient.h"
 #include "Core/DirectSolver.h"
-#include "Core/Multigrid.h"
+#include "Core/InverseCache.h"
 #include "Core/ProblemSetup.h"
 #include "Core/SquaredPreconditioner.h"
-#include "Core/StiffnessFactorisation.h"
 
 #include <cmath>
+#include <type_traits>
 
 using namespace lmo;
 
@@ -22,7 +22,7 @@ struct System
 {
   LeastSquaresProblem problem;
   std::unique_ptr<PackedEquations<float>> A;
-  std::unique_ptr<ShiftedStiffness> matrix;
+  std::shared_ptr<const ShiftedStiffness> matrix;
 
   System(const TestMesh& mesh, const OptimizerOptions& options)
   {
@@ -30,7 +30,7 @@ struct System
     const auto boundary = SlidingBoundary(analysis, options.boundaryCondition);
     this->problem = SetUpProblem(analysis, options, {}, boundary);
     this->A = std::make_unique<PackedEquations<float>>(this->problem);
-    this->matrix = std::make_unique<ShiftedStiffness>(this->problem, this->A->GetStiffness());
+    this->matrix = std::make_shared<const ShiftedStiffness>(this->problem, this->A->GetStiffness());
   }
 };
 
@@ -67,6 +67,20 @@ PackedPoints<float> Multiply(const ShiftedStiffness& matrix, const PackedPoints<
   return product;
 }
 
+template <typename Inverse>
+std::shared_ptr<Inverse> MakeInverse(const System& system)
+{
+  InverseCache inverses;
+  if constexpr (std::is_same_v<Inverse, Multigrid>)
+  {
+    return inverses.GetMultigrid(system.matrix);
+  }
+  else
+  {
+    return inverses.GetFactorisation(system.matrix);
+  }
+}
+
 /// |x - M (K + R) x| / |x| in the energy norm, M the approximate inverse.
 template <typename Inverse>
 double InverseError(const System& system)
@@ -75,7 +89,7 @@ double InverseError(const System& system)
   Random random;
   const PackedPoints<float> x = RandomVector(matrix, random);
   PackedPoints<float> result(4, matrix.Size());
-  Inverse(matrix).Apply(Multiply(matrix, x), result);
+  MakeInverse<Inverse>(system)->Apply(Multiply(matrix, x), result);
   const auto energy = [&](const PackedPoints<float>& y)
   { return std::sqrt((y * Multiply(matrix, y)).cast<double>().sum()); };
   return energy(x - result) / energy(x);
@@ -91,24 +105,31 @@ double Asymmetry(const System& system)
   const PackedPoints<float> y = RandomVector(matrix, random);
   PackedPoints<float> Mx(4, matrix.Size());
   PackedPoints<float> My(4, matrix.Size());
-  Inverse inverse(matrix);
-  inverse.Apply(x, Mx);
-  inverse.Apply(y, My);
+  const std::shared_ptr<Inverse> inverse = MakeInverse<Inverse>(system);
+  inverse->Apply(x, Mx);
+  inverse->Apply(y, My);
   const double difference = ((x * My).cast<double>() - (y * Mx).cast<double>()).sum();
   return std::abs(difference) / (x.matrix().norm() * My.matrix().norm());
 }
 
-template <typename Preconditioner, typename... Sources>
-Solution Iterate(System& system, const SolverOptions& options, const Sources&... sources)
+template <typename Preconditioner>
+Solution Iterate(System& system, Preconditioner&& M, const SolverOptions& options)
 {
   Solution solution;
   solution.rightHandSideNorm =
     ComputeResidual(system.problem, solution.displacement, [](Index, const Vector3&) {});
-  Preconditioner M(sources...);
   Monitor monitor;
   ConjugateGradient<float, Preconditioner>(system.problem, *system.A, M)
     .Run(options, options.maximumIterations, monitor, solution);
   return solution;
+}
+
+template <typename Inverse>
+Solution IterateSquared(System& system, const SolverOptions& options)
+{
+  return Iterate(system,
+    SquaredPreconditioner<Inverse>(system.problem, system.matrix, MakeInverse<Inverse>(system)),
+    options);
 }
 
 void CheckInverses(Checks& c, const std::string& name, const TestMesh& mesh, LaplacianType type)
@@ -120,7 +141,7 @@ void CheckInverses(Checks& c, const std::string& name, const TestMesh& mesh, Lap
     "the factorisation is symmetric: " + name, Asymmetry<StiffnessFactorisation>(system), 1e-5);
   c.Error("a multigrid cycle halves the error: " + name, InverseError<Multigrid>(system), 0.5);
   c.Error("a multigrid cycle is symmetric: " + name, Asymmetry<Multigrid>(system), 1e-5);
-  c.True("there are several levels: " + name, Multigrid(*system.matrix).GetNumberOfLevels() > 1);
+  c.True("there are several levels: " + name, Multigrid(system.matrix).GetNumberOfLevels() > 1);
 }
 
 /// Conjugate gradients with the squared preconditioners find the direct solution in few steps.
@@ -132,11 +153,9 @@ void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& 
   SolverOptions options;
   options.tolerance = 1e-9;
   options.maximumIterations = 5000;
-  const Solution multigrid =
-    Iterate<SquaredPreconditioner<Multigrid>>(system, options, system.problem, *system.matrix);
-  const Solution factorised = Iterate<SquaredPreconditioner<StiffnessFactorisation>>(
-    system, options, system.problem, *system.matrix);
-  const Solution jacobi = Iterate<JacobiPreconditioner<float>>(system, options, system.problem);
+  const Solution multigrid = IterateSquared<Multigrid>(system, options);
+  const Solution factorised = IterateSquared<StiffnessFactorisation>(system, options);
+  const Solution jacobi = Iterate(system, JacobiPreconditioner<float>(system.problem), options);
   c.Error("multigrid finds the direct solution: " + name,
     MaximumDistance(multigrid.displacement, direct), 1e-6);
   c.Error("the factorised K + R finds the direct solution: " + name,

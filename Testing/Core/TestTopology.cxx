@@ -92,7 +92,6 @@ void CheckHandMadeMeshes(Checks& c)
   c.True("a ring's edges are the boundary", AreListed(cross.boundaryEdges, 1, { 2, 4 }));
   c.True("a ring's centre is no boundary", !cross.isBoundary[0] && cross.isBoundary[1]);
 
-
   c.True("the corners around a ring's centre and at its boundary are fans",
     cross.isFan[0] && cross.isFan[1]);
   const MeshTopology wings = Topology(ThreeWings());

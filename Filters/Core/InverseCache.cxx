@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "InverseCache.h"
+
+#include <utility>
+
+namespace lmo
+{
+std::shared_ptr<Multigrid> InverseCache::GetMultigrid(
+  std::shared_ptr<const ShiftedStiffness> matrix)
+{
+  if (!this->Hierarchy || !this->Hierarchy->GetMatrix().IsEqualTo(*matrix))
+  {
+    this->Hierarchy.reset(); // its memory serves for the next one
+    this->Hierarchy = std::make_shared<Multigrid>(std::move(matrix));
+    ++this->NumberOfHierarchies;
+  }
+  return this->Hierarchy;
+}
+
+std::shared_ptr<StiffnessFactorisation> InverseCache::GetFactorisation(
+  std::shared_ptr<const ShiftedStiffness> matrix)
+{
+  if (!this->Factorisation || !this->Factorisation->GetMatrix().IsEqualTo(*matrix))
+  {
+    const std::shared_ptr<StiffnessFactorisation> previous = std::move(this->Factorisation);
+    this->Factorisation =
+      std::make_shared<StiffnessFactorisation>(std::move(matrix), previous.get());
+    ++this->NumberOfFactorisations;
+    this->NumberOfOrders += !previous || previous->GetOrder() != this->Factorisation->GetOrder();
+  }
+  return this->Factorisation;
+}
+}

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_InverseCache_h
+#define lmo_InverseCache_h
+
+#include "Multigrid.h"
+#include "StiffnessFactorisation.h"
+
+namespace lmo
+{
+/// Inverses of K + R, kept for the next problem: the last of each kind is used again if the matrix
+/// is the same, and its order of the unknowns if the pattern is.
+class InverseCache
+{
+public:
+  std::shared_ptr<Multigrid> GetMultigrid(std::shared_ptr<const ShiftedStiffness> matrix);
+
+  /// \throw SolverError if the matrix is singular.
+  std::shared_ptr<StiffnessFactorisation> GetFactorisation(
+    std::shared_ptr<const ShiftedStiffness> matrix);
+
+  /// How many have been made so far.
+  int GetNumberOfHierarchies() const { return this->NumberOfHierarchies; }
+  int GetNumberOfFactorisations() const { return this->NumberOfFactorisations; }
+  int GetNumberOfOrders() const { return this->NumberOfOrders; }
+
+private:
+  std::shared_ptr<Multigrid> Hierarchy;
+  std::shared_ptr<StiffnessFactorisation> Factorisation;
+  int NumberOfHierarchies = 0;
+  int NumberOfFactorisations = 0;
+  int NumberOfOrders = 0;
+};
+}
+
+#endif
