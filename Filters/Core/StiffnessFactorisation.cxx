@@ -43,8 +43,9 @@ std::vector<Index> FindOrder(const SparseMatrix& lower)
 {
   Permutation inverse;
   Ordering()(SparseMatrix(lower.selfadjointView<Eigen::Lower>()), inverse);
-  const auto& places = Permutation(inverse.inverse()).indices();
-  return { places.data(), places.data() + places.size() };
+  const Permutation permutation = inverse.inverse();
+  const Index* places = permutation.indices().data();
+  return { places, places + permutation.size() };
 }
 
 SparseMatrix Permuted(const SparseMatrix& lower, const std::vector<Index>& placeOf)
