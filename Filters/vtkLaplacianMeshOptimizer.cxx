@@ -4,7 +4,7 @@
 
 #include "Core/Optimizer.h"
 #include "Private/FilterSupport.h"
-#include "Private/PolyDataConversion.h"
+#include "Private/PolyDataOutput.h"
 
 #include "vtkCellData.h"
 #include "vtkDataObject.h"

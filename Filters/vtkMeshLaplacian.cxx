@@ -6,7 +6,7 @@
 #include "Core/MeshAnalysis.h"
 #include "Core/TriangleGeometry.h"
 #include "Private/FilterSupport.h"
-#include "Private/PolyDataConversion.h"
+#include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"

@@ -6,7 +6,7 @@
 #include "Core/SurfaceSampler.h"
 #include "Core/TriangleGeometry.h"
 #include "Private/FilterSupport.h"
-#include "Private/PolyDataConversion.h"
+#include "Private/PolyDataOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

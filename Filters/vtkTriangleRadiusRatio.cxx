@@ -4,7 +4,7 @@
 
 #include "Core/Quality.h"
 #include "Private/FilterSupport.h"
-#include "Private/PolyDataConversion.h"
+#include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"

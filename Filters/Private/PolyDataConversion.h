@@ -3,17 +3,14 @@
 #ifndef PolyDataConversion_h
 #define PolyDataConversion_h
 
-#include "../Core/Quality.h"
+#include "../Core/Types.h"
 
-#include "vtkSmartPointer.h"
+#include "vtkType.h"
 
 #include <string>
 #include <vector>
 
 class vtkDataArray;
-class vtkDoubleArray;
-class vtkFieldData;
-class vtkPoints;
 class vtkPolyData;
 
 namespace lmo
@@ -50,24 +47,6 @@ Vector ReadWeights(vtkDataArray* array, vtkIdType points);
 
 /// \throw InputError if the array has not three finite values per point.
 Points ReadVectors(vtkDataArray* array, vtkIdType points);
-
-/// Coordinates in the type of the input's: float for float, double for all others. Like the arrays
-/// below, values that are not needed any more are to be moved here, which frees their memory.
-vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input);
-
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values);
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values);
-
-/// Array of one value, as field data hold it.
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
-
-/// Adds the radius ratios of the triangles to the cell data and of the vertices to the point data.
-void AddRadiusRatios(const char* name, const MeshQuality& quality,
-  const TriangleCells& triangleCells, vtkPolyData* output);
-
-/// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
-/// \throw InputError if the array has not three values per point.
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
 }
 
 #endif
