@@ -76,23 +76,26 @@ FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Po
   return features;
 }
 
+Vector3 ProjectOntoLine(const FeatureLines& features, const Points& V, Index i, const Vector3& x)
+{
+  const double reach = 2 * (x - V.row(i)).norm();
+  Vector3 closest = V.row(i);
+  for (const Index* j = features.lines->Begin(i); j != features.lines->End(i); ++j)
+  {
+    WalkLine(features, V, i, *j, reach, x, closest);
+  }
+  return closest;
+}
+
 void ProjectOntoLines(const FeatureLines& features, const Points& V, Points& moved)
 {
   ParallelFor(static_cast<Index>(V.rows()),
     [&](Index i)
     {
-      if (features.pointClass[i] != FeatureLines::EDGE)
+      if (features.pointClass[i] == FeatureLines::EDGE)
       {
-        return;
+        moved.row(i) = ProjectOntoLine(features, V, i, moved.row(i));
       }
-      const Vector3 x = moved.row(i);
-      const double reach = 2 * (x - V.row(i)).norm();
-      Vector3 closest = V.row(i);
-      for (const Index* j = features.lines->Begin(i); j != features.lines->End(i); ++j)
-      {
-        WalkLine(features, V, i, *j, reach, x, closest);
-      }
-      moved.row(i) = closest;
     });
 }
 }

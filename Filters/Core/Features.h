@@ -38,6 +38,9 @@ void ForEachLineVertex(const FeatureLines& features, const Visit& visit)
   }
 }
 
+/// The point of EDGE i's line in \a V that is closest to x, which is close to the line.
+Vector3 ProjectOntoLine(const FeatureLines& features, const Points& V, Index i, const Vector3& x);
+
 /// Moves each EDGE to the closest point of its line in \a V.
 /// \param moved vertices close to their line
 void ProjectOntoLines(const FeatureLines& features, const Points& V, Points& moved);

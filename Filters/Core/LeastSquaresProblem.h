@@ -15,10 +15,11 @@ struct MotionConstraints
   {
     FIXED = 0,
     ALONG_LINE = 1,
+    IN_PLANE = 2,
     FREE = 3
   };
-  Mask freedom;    ///< Freedom of each vertex
-  Points tangents; ///< unit direction of the vertices ALONG_LINE; no rows if there are none
+  Mask freedom; ///< Freedom of each vertex
+  Points axes;  ///< unit direction of the line or unit normal of the plane; no rows if there are none
 
   /// Removes the forbidden part of a displacement or force at vertex i.
   Vector3 Project(Index i, const Vector3& x) const
@@ -28,7 +29,9 @@ struct MotionConstraints
       case FREE:
         return x;
       case ALONG_LINE:
-        return x.dot(this->tangents.row(i)) * this->tangents.row(i);
+        return x.dot(this->axes.row(i)) * this->axes.row(i);
+      case IN_PLANE:
+        return x - x.dot(this->axes.row(i)) * this->axes.row(i);
       default:
         return Vector3::Zero();
     }
@@ -64,7 +67,7 @@ struct LeastSquaresProblem
   /// True if x, y and z are not three independent systems with one matrix.
   bool IsCoupled() const
   {
-    return this->tangentPlaneNormals.rows() > 0 || this->motion.tangents.rows() > 0;
+    return this->tangentPlaneNormals.rows() > 0 || this->motion.axes.rows() > 0;
   }
 };
 

@@ -120,10 +120,9 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
   {
   }
 }
-}
 
-Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-  Monitor& monitor, InverseCache& inverses)
+/// The residual of d = 0; solved if it is 0.
+Solution Start(const LeastSquaresProblem& problem)
 {
   Solution solution;
   solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
@@ -131,6 +130,30 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     solution.displacement = Points::Zero(problem.Size(), 3);
     solution.relativeResidual = 0;
+  }
+  return solution;
+}
+}
+
+Solution SolveByDiagonal(
+  const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor)
+{
+  Solution solution = Start(problem);
+  if (!IsFinished(solution, options))
+  {
+    PackedEquations<float> A(problem);
+    Iterate(A, JacobiPreconditioner<float>(problem), options, options.maximumIterations, monitor,
+      solution);
+  }
+  return solution;
+}
+
+Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
+  Monitor& monitor, InverseCache& inverses)
+{
+  Solution solution = Start(problem);
+  if (IsSolved(solution, options))
+  {
     return solution;
   }
   if (type == SolverType::DIRECT)

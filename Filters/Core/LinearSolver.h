@@ -23,6 +23,10 @@ enum class SolverType
 /// \throw Cancelled if the monitor says so.
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   Monitor& monitor, InverseCache& inverses);
+
+/// The same by conjugate gradients with the diagonal alone, for problems that are known to suit it.
+Solution SolveByDiagonal(
+  const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor);
 }
 
 #endif

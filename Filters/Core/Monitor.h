@@ -43,6 +43,30 @@ protected:
 private:
   double Finished = 0;
 };
+
+/// Reports what is a part of a whole.
+class PartialMonitor : public Monitor
+{
+public:
+  /// \param begin, end fractions of the whole, 0 to 1
+  PartialMonitor(Monitor& whole, double begin, double end)
+    : Whole(whole)
+    , First(begin)
+    , Length(end - begin)
+  {
+  }
+
+protected:
+  void ShowProgress(double fraction) override
+  {
+    this->Whole.Report(this->First + this->Length * fraction);
+  }
+
+private:
+  Monitor& Whole;
+  const double First;
+  const double Length;
+};
 }
 
 #endif

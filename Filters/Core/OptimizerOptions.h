@@ -15,7 +15,8 @@ enum class Mode
 {
   OPTIMIZE_TRIANGLES,   ///< L = L_u, f = delta_c (section 5)
   SMOOTH,               ///< f = 0 (section 6)
-  PRESCRIBED_LAPLACIANS ///< f from the user
+  PRESCRIBED_LAPLACIANS, ///< f from the user
+  OPTIMIZE_WITHIN_DEVIATION ///< passes of the first, within an error
 };
 
 enum class PositionWeighting
@@ -43,6 +44,14 @@ enum class BoundaryCondition
   FREE     ///< as inner vertices
 };
 
+/// Mode::OPTIMIZE_WITHIN_DEVIATION.
+struct DeviationOptions
+{
+  double maximum = 0.002; ///< two-sided Hausdorff distance, divided by the bounding-box diagonal
+  int passes = 5;
+  bool improveWorstTriangles = true;
+};
+
 /// The properties of vtkLaplacianMeshOptimizer; see there for meaning and ranges.
 struct OptimizerOptions
 {
@@ -58,6 +67,9 @@ struct OptimizerOptions
   BoundaryCondition boundaryCondition = BoundaryCondition::FIXED;
   SolverType solverType = SolverType::AUTOMATIC;
   SolverOptions solver;
+  DeviationOptions deviation;
+  double featureAngle = 40; ///< degrees
+  bool detectFeatures = true;
   bool computeNormals = false; ///< fill OptimizerResult::normals
   bool roundToFloat = false;   ///< round V' as the caller will, so that all figures fit it
 };

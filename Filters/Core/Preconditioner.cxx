@@ -31,7 +31,7 @@ JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& pr
         this->Normals.col(i) << normal.transpose().array().template cast<Scalar>(), Scalar(0);
         if (freedom == MotionConstraints::ALONG_LINE)
         {
-          const double slope = normal.dot(problem.motion.tangents.row(i));
+          const double slope = normal.dot(problem.motion.axes.row(i));
           inverse = 1 / (a + w * slope * slope);
         }
       }

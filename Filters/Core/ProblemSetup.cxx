@@ -118,7 +118,7 @@ MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOpti
     });
   if (boundary)
   {
-    motion.tangents = boundary->tangents;
+    motion.axes = boundary->tangents;
   }
   return motion;
 }

@@ -14,7 +14,6 @@ namespace lmo
 namespace
 {
 constexpr double MaximumCotangent = 1e6;
-constexpr double Pi = 3.14159265358979323846;
 
 /// Edges that leave a corner, in counter-clockwise order.
 struct CornerEdges

@@ -7,6 +7,8 @@
 
 namespace lmo
 {
+constexpr double Pi = 3.14159265358979323846;
+
 /// Normal of triangle t, counter-clockwise, with twice the triangle's area as its length.
 Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t);
 

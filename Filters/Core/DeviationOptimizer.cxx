@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DeviationOptimizer.h"
+
+#include "DeviationGuard.h"
+#include "LinearSolver.h"
+#include "Parallel.h"
+#include "TriangleGeometry.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+namespace
+{
+constexpr double PositionScale = 0.1;       ///< s
+constexpr double LeastPositionWeight = 1e-4;
+constexpr double GoodQuality = 0.5;         ///< t from which a vertex is held with its full weight
+constexpr double SolverTolerance = 1e-3;    ///< the next pass corrects what is left
+constexpr double SmallestShare = 0.2;       ///< of a motion that is worth keeping
+constexpr double Hold = 1.6;                ///< factor of W_p where motion was taken back
+constexpr double Release = 0.9;             ///< and where it was not
+constexpr double SmallestGain = 2e-4;       ///< of t_mean, for which another pass is worth it
+
+class Passes
+{
+public:
+  Passes(MeshAnalysis& mesh, const OptimizerOptions& options, const FeatureLines& features,
+    const Mask& isFixed)
+    : Mesh(mesh)
+    , Options(options)
+    , Features(features)
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(),
+        options.deviation.maximum * mesh.GetDiagonal())
+    , Adaption(Vector::Ones(mesh.GetPoints().rows()))
+  {
+    this->SetUp(isFixed);
+  }
+
+  void Run(Monitor& monitor, DeviationResult& result);
+
+private:
+  Index Size() const { return this->Mesh.GetTopology().vertices; }
+
+  void SetUp(const Mask& isFixed);
+  void SetTargets();
+  void SetPositionWeights();
+
+  /// The motion that Eqn. 11 proposes.
+  Solution Propose(Monitor& monitor);
+
+  /// Moves as far as the guard allows.
+  /// \return whether it allows any motion
+  bool Settle(const Points& motion, double leastQuality, Monitor& monitor);
+
+  /// The position of a vertex after a share of its motion.
+  Vector3 Displaced(Index i, const Vector3& motion) const;
+
+  /// Halves the share of the vertices that are to blame for the failures.
+  /// \return these vertices
+  std::vector<Index> TakeBack(const std::vector<DeviationGuard::Failure>& failures);
+
+  MeshAnalysis& Mesh;
+  const OptimizerOptions& Options;
+  const FeatureLines& Features;
+  DeviationGuard Guard;
+  LeastSquaresProblem Problem;
+  Vector Adaption; ///< factor of W_p
+  Vector Share;    ///< of the motion, 0 to 1
+};
+
+void Passes::SetUp(const Mask& isFixed)
+{
+  this->Problem.L = this->Mesh.GetLaplacian(LaplacianType::UNIFORM);
+  this->Problem.laplacianWeights = Vector::Zero(this->Size());
+  this->Problem.motion.freedom.assign(this->Size(), MotionConstraints::FIXED);
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    const auto pointClass = this->Features.pointClass[i];
+    if (!isFixed[i] && pointClass != FeatureLines::CORNER)
+    {
+      const bool isSmooth = pointClass == FeatureLines::SMOOTH;
+      this->Problem.laplacianWeights[i] = isSmooth;
+      this->Problem.motion.freedom[i] =
+        isSmooth ? MotionConstraints::IN_PLANE : MotionConstraints::ALONG_LINE;
+    }
+  }
+}
+
+void Passes::SetTargets()
+{
+  const Points& V = this->Guard.GetAdmitted();
+  MotionConstraints& motion = this->Problem.motion;
+  motion.axes = VertexNormals(V, this->Mesh.GetTriangles(), this->Mesh.GetTopology());
+  this->Problem.lineRows.clear();
+  ForEachLineVertex(this->Features,
+    [&](Index i, Index previous, Index next)
+    {
+      const Vector3 tangent = (V.row(next) - V.row(previous)).stableNormalized();
+      motion.axes.row(i) = tangent;
+      if (motion.freedom[i] == MotionConstraints::ALONG_LINE)
+      {
+        const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+        this->Problem.lineRows.push_back(
+          { i, previous, next, 1, -laplacian.dot(tangent) * tangent });
+      }
+    });
+  auto target = std::make_shared<Points>(this->Size(), 3);
+  ParallelFor(this->Size(),
+    [&](Index i)
+    {
+      // c = f - L_u V with f = n n^T L_u V
+      const Vector3 laplacian = -this->Problem.L.rowScale[i] * StiffnessRow(this->Problem.L, V, i);
+      const Vector3 normal = motion.axes.row(i);
+      target->row(i) = laplacian.dot(normal) * normal - laplacian;
+    });
+  this->Problem.target = std::move(target);
+}
+
+void Passes::SetPositionWeights()
+{
+  const Vector& cumulative = this->Mesh.GetCumulativeWeights();
+  const Vector quality =
+    MinimumAtVertices(this->Guard.GetAdmittedQuality(), this->Mesh.GetTriangles(), this->Size());
+  this->Problem.positionWeights.resize(this->Size());
+  ParallelFor(this->Size(),
+    [&](Index i)
+    {
+      const double shape = std::min(1.0, quality[i] / GoodQuality);
+      this->Problem.positionWeights[i] =
+        std::max(LeastPositionWeight, PositionScale * cumulative[i] * this->Adaption[i] * shape);
+    });
+}
+
+Solution Passes::Propose(Monitor& monitor)
+{
+  this->SetTargets();
+  this->SetPositionWeights();
+  SolverOptions solver = this->Options.solver;
+  solver.tolerance = SolverTolerance;
+  return SolveByDiagonal(this->Problem, solver, monitor);
+}
+
+Vector3 Passes::Displaced(Index i, const Vector3& motion) const
+{
+  Vector3 position = this->Guard.GetAdmitted().row(i) + motion;
+  if (this->Features.pointClass[i] == FeatureLines::EDGE)
+  {
+    position = ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position);
+  }
+  return this->Options.roundToFloat ? Vector3(position.cast<float>().cast<double>()) : position;
+}
+
+std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& failures)
+{
+  const Triangles& T = this->Mesh.GetTriangles();
+  Mask isBlamed(this->Size(), false);
+  const auto blame = [&](Index t)
+  {
+    bool isMoving = false;
+    for (const Index i : { T(t, 0), T(t, 1), T(t, 2) })
+    {
+      isBlamed[i] = true;
+      isMoving = isMoving || this->Share[i] > 0;
+    }
+    return isMoving;
+  };
+  for (const DeviationGuard::Failure& failure : failures)
+  {
+    if (!blame(failure.close))
+    {
+      std::for_each(failure.others.begin(), failure.others.end(), blame);
+    }
+  }
+  std::vector<Index> vertices;
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    if (isBlamed[i] && this->Share[i] > 0)
+    {
+      this->Share[i] /= 2;
+      if (this->Share[i] < SmallestShare)
+      {
+        this->Share[i] = 0;
+      }
+      this->Adaption[i] *= Hold;
+      vertices.push_back(i);
+    }
+  }
+  return vertices;
+}
+
+bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
+{
+  std::vector<Index> moving;
+  this->Share = Vector::Zero(this->Size());
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    if (this->Problem.motion.freedom[i] != MotionConstraints::FIXED)
+    {
+      this->Share[i] = 1;
+      moving.push_back(i);
+    }
+  }
+  for (;;)
+  {
+    monitor.Report(0);
+    ParallelFor(static_cast<Index>(moving.size()),
+      [&](Index k)
+      {
+        const Index i = moving[k];
+        const Vector3 step = this->Share[i] * motion.row(i);
+        this->Guard.Move(i, this->Share[i] > 0 ? this->Displaced(i, step)
+                                               : Vector3(this->Guard.GetAdmitted().row(i)));
+      });
+    const auto failures = this->Guard.Check(moving, leastQuality);
+    if (getenv("LMO_TRACE")) fprintf(stderr, "  round: moved %zu failures %zu\n", moving.size(), failures.size());
+    if (failures.empty())
+    {
+      break;
+    }
+    moving = this->TakeBack(failures);
+    if (moving.empty())
+    {
+      this->Guard.Reject();
+      return false;
+    }
+  }
+  this->Guard.Admit();
+  ParallelFor(this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
+  return true;
+}
+
+void Passes::Run(Monitor& monitor, DeviationResult& result)
+{
+  const auto meanQuality = [this] { return this->Guard.GetAdmittedQuality().mean(); };
+  const int passes = this->Options.deviation.passes;
+  try
+  {
+    for (int pass = 0; pass < passes; ++pass)
+    {
+      PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
+      const Solution solution = this->Propose(part);
+      result.iterations += solution.iterations;
+      result.relativeResidual = solution.relativeResidual;
+      const double before = meanQuality();
+      if (!this->Settle(solution.displacement, pass < 2 ? 0.3 : 0.5, monitor))
+      {
+        break;
+      }
+      ++result.passes;
+      if (getenv("LMO_TRACE")) fprintf(stderr, "pass %d its %d t_mean %.4f\n", pass, solution.iterations, meanQuality());
+      if (pass > 1 && meanQuality() < before + SmallestGain)
+      {
+        break;
+      }
+    }
+  }
+  catch (const Cancelled&)
+  {
+    result.isCancelled = true;
+    this->Guard.Reject();
+  }
+  result.positions = this->Guard.GetAdmitted();
+  result.bound = this->Guard.GetBound();
+}
+}
+
+DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptions& options,
+  const FeatureLines& features, const Mask& isFixed, Monitor& monitor)
+{
+  DeviationResult result;
+  Passes passes(mesh, options, features, isFixed);
+  passes.Run(monitor, result);
+  return result;
+}
+}

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleTree.h"
+
+#include "MeshTopology.h"
+#include "Parallel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lmo
+{
+namespace
+{
+constexpr Index TrianglesPerLeaf = 4;
+constexpr Index ParallelSubtrees = 16;
+}
+
+// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision Detection, 5.1.5).
+Vector3 ClosestPointOnTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 ax = x - a;
+  const double abax = ab.dot(ax);
+  const double acax = ac.dot(ax);
+  if (abax <= 0 && acax <= 0)
+  {
+    return a;
+  }
+  const Vector3 bx = x - b;
+  const double abbx = ab.dot(bx);
+  const double acbx = ac.dot(bx);
+  if (abbx >= 0 && acbx <= abbx)
+  {
+    return b;
+  }
+  const double weightOfC = abax * acbx - abbx * acax;
+  if (weightOfC <= 0 && abax >= 0 && abbx <= 0)
+  {
+    return abax > abbx ? Vector3(a + abax / (abax - abbx) * ab) : a;
+  }
+  const Vector3 cx = x - c;
+  const double abcx = ab.dot(cx);
+  const double accx = ac.dot(cx);
+  if (accx >= 0 && abcx <= accx)
+  {
+    return c;
+  }
+  const double weightOfB = abcx * acax - abax * accx;
+  if (weightOfB <= 0 && acax >= 0 && accx <= 0)
+  {
+    return acax > accx ? Vector3(a + acax / (acax - accx) * ac) : a;
+  }
+  const double weightOfA = abbx * accx - abcx * acbx;
+  const double towardsC = acbx - abbx;
+  const double towardsB = abcx - accx;
+  if (weightOfA <= 0 && towardsC >= 0 && towardsB >= 0)
+  {
+    const double sum = towardsC + towardsB;
+    return sum > 0 ? Vector3(b + towardsC / sum * (c - b)) : b;
+  }
+  return a + (weightOfB * ab + weightOfC * ac) / (weightOfA + weightOfB + weightOfC);
+}
+
+TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
+  : V(V)
+  , T(triangles)
+{
+  for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
+  {
+    if (!IsCollapsed(triangles, t))
+    {
+      this->Order.push_back(t);
+    }
+  }
+  while (this->Leaves * std::int64_t(TrianglesPerLeaf) < std::int64_t(this->Order.size()))
+  {
+    this->Leaves *= 2;
+  }
+  this->Boxes.resize(2 * std::size_t(this->Leaves));
+  const Index subtrees = std::min(ParallelSubtrees, this->Leaves);
+  for (Index span = this->Leaves; span > this->Leaves / subtrees; span /= 2)
+  {
+    for (Index first = 0; first < this->Leaves; first += span)
+    {
+      this->Halve(first, span);
+    }
+  }
+  const Index leaves = this->Leaves / subtrees;
+  ParallelTasks(subtrees, [&](Index k) { this->Sort(k * leaves, leaves); });
+  this->Refit();
+}
+
+void TriangleTree::Halve(Index firstLeaf, Index leaves)
+{
+  const auto centre = [this](Index t)
+  { return this->V.row(this->T(t, 0)) + this->V.row(this->T(t, 1)) + this->V.row(this->T(t, 2)); };
+  const auto begin = this->Order.begin() + this->Begin(firstLeaf);
+  const auto middle = this->Order.begin() + this->Begin(firstLeaf + leaves / 2);
+  const auto end = this->Order.begin() + this->Begin(firstLeaf + leaves);
+  Box box;
+  for (auto t = begin; t != end; ++t)
+  {
+    box.extend(centre(*t).transpose().eval());
+  }
+  Eigen::Index axis = 0;
+  box.sizes().maxCoeff(&axis);
+  std::nth_element(
+    begin, middle, end, [&](Index s, Index t) { return centre(s)[axis] < centre(t)[axis]; });
+}
+
+void TriangleTree::Sort(Index firstLeaf, Index leaves)
+{
+  if (leaves > 1)
+  {
+    this->Halve(firstLeaf, leaves);
+    this->Sort(firstLeaf, leaves / 2);
+    this->Sort(firstLeaf + leaves / 2, leaves / 2);
+  }
+}
+
+void TriangleTree::Refit()
+{
+  if (this->IsCurrent)
+  {
+    return;
+  }
+  this->IsCurrent = true;
+  ParallelFor(this->Leaves,
+    [&](Index leaf)
+    {
+      Box box;
+      for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
+      {
+        for (int corner = 0; corner < 3; ++corner)
+        {
+          box.extend(this->V.row(this->T(this->Order[k], corner)).transpose());
+        }
+      }
+      this->Boxes[this->Leaves + leaf] = box;
+    });
+  for (Index level = this->Leaves / 2; level > 0; level /= 2)
+  {
+    ParallelFor(level,
+      [&](Index k)
+      {
+        const std::size_t node = level + k;
+        this->Boxes[node] = this->Boxes[2 * node].merged(this->Boxes[2 * node + 1]);
+      });
+  }
+}
+
+double TriangleTree::SquaredDistance(Index triangle, const Vector3& x) const
+{
+  const Vector3 closest = ClosestPointOnTriangle(x, this->V.row(this->T(triangle, 0)),
+    this->V.row(this->T(triangle, 1)), this->V.row(this->T(triangle, 2)));
+  return (closest - x).squaredNorm();
+}
+
+void TriangleTree::Try(Index triangle, const Vector3& x, Hit& best) const
+{
+  const double squaredDistance = this->SquaredDistance(triangle, x);
+  const bool isFirst = best.triangle < 0 && squaredDistance <= best.squaredDistance;
+  if (isFirst || squaredDistance < best.squaredDistance)
+  {
+    best = { triangle, squaredDistance };
+  }
+}
+
+TriangleTree::Hit TriangleTree::FindClosest(const Vector3& x, double radius, Index hint) const
+{
+  Hit best{ -1, radius * radius };
+  if (hint >= 0)
+  {
+    this->Try(hint, x, best);
+  }
+  const Eigen::Vector3d centre = x;
+  std::pair<Index, double> stack[64];
+  int size = 0;
+  stack[size++] = { 1, this->Boxes[1].squaredExteriorDistance(centre) };
+  while (size > 0)
+  {
+    const auto [node, distance] = stack[--size];
+    if (!(distance <= best.squaredDistance))
+    {
+      continue;
+    }
+    if (node >= this->Leaves)
+    {
+      const Index leaf = node - this->Leaves;
+      for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
+      {
+        this->Try(this->Order[k], x, best);
+      }
+      continue;
+    }
+    const double left = this->Boxes[2 * node].squaredExteriorDistance(centre);
+    const double right = this->Boxes[2 * node + 1].squaredExteriorDistance(centre);
+    const bool isLeftNearer = left <= right;
+    stack[size++] = { 2 * node + isLeftNearer, std::max(left, right) };
+    stack[size++] = { 2 * node + !isLeftNearer, std::min(left, right) };
+  }
+  return best;
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_TriangleTree_h
+#define lmo_TriangleTree_h
+
+#include "Types.h"
+
+#include <Eigen/Geometry>
+
+namespace lmo
+{
+/// The point of triangle abc that is closest to x.
+Vector3 ClosestPointOnTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
+
+/// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
+/// and refitted after motions. (VTK's locators and Eigen's KdBVH have to be built anew.)
+class TriangleTree
+{
+public:
+  struct Hit
+  {
+    Index triangle = -1; ///< -1: there is none within the radius
+    double squaredDistance = 0;
+  };
+
+  /// Keeps references to the arguments. Triangles that name a vertex twice are left out.
+  TriangleTree(const Points& V, const Triangles& triangles);
+
+  /// Says that vertices have moved: Refit() has to follow before the next query.
+  void Invalidate() { this->IsCurrent = false; }
+
+  /// Adapts the boxes to the present positions.
+  void Refit();
+
+  /// The triangle closest to x, if its distance is at most \a radius.
+  /// \param hint a triangle that is perhaps close, or -1
+  Hit FindClosest(const Vector3& x, double radius, Index hint = -1) const;
+
+  /// Of x to one triangle.
+  double SquaredDistance(Index triangle, const Vector3& x) const;
+
+private:
+  using Box = Eigen::AlignedBox3d;
+
+  Index Begin(Index leaf) const
+  {
+    return static_cast<Index>(std::int64_t(this->Order.size()) * leaf / this->Leaves);
+  }
+
+  /// Halves the triangles of these leaves along the longest axis of their centres.
+  void Halve(Index firstLeaf, Index leaves);
+
+  /// Halves until every leaf has its own.
+  void Sort(Index firstLeaf, Index leaves);
+
+  void Try(Index triangle, const Vector3& x, Hit& best) const;
+
+  const Points& V;
+  const Triangles& T;
+  bool IsCurrent = false;
+  Index Leaves = 1;         ///< a power of two
+  std::vector<Index> Order; ///< the triangles, those of a leaf side by side
+  std::vector<Box> Boxes;   ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
+};
+}
+
+#endif
