@@ -49,6 +49,14 @@ void AddOnce(const std::vector<Index>& more, Mask& isListed, std::vector<Index>&
     }
   }
 }
+
+void AddOnce(const std::vector<Index>& more, Mask& isListed)
+{
+  for (const Index t : more)
+  {
+    isListed[t] = true;
+  }
+}
 }
 
 DeviationGuard::DeviationGuard(
@@ -59,9 +67,13 @@ DeviationGuard::DeviationGuard(
   , Distance((1 - Margin) * distance)
   , Neighbours(FindTriangleNeighbours(triangles, topology))
   , ReferenceNormals(SmoothedNormals(V, triangles, topology))
+  , Admitted(V)
   , Candidate(V)
+  , AdmittedNormals(triangles.rows(), 3)
   , Normals(triangles.rows(), 3)
+  , AdmittedQuality(triangles.rows())
   , Quality(triangles.rows())
+  , AdmittedCosine(triangles.rows())
   , OriginalTree(this->Original, triangles)
   , Tree(this->Candidate, triangles)
   , ToOriginal(static_cast<Index>(triangles.rows()))
@@ -72,6 +84,29 @@ DeviationGuard::DeviationGuard(
   std::iota(all.begin(), all.end(), 0);
   this->UpdateShapes(all);
   this->Admit();
+}
+
+std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertices) const
+{
+  std::vector<Index> triangles;
+  Mask isListed(vertices.size() > 1 ? this->T.rows() : 0, false);
+  for (const Index i : vertices)
+  {
+    const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+    for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+    {
+      const Index t = *corner / 3;
+      if (isListed.empty() || !isListed[t])
+      {
+        triangles.push_back(t);
+      }
+      if (!isListed.empty())
+      {
+        isListed[t] = true;
+      }
+    }
+  }
+  return triangles;
 }
 
 void DeviationGuard::UpdateShapes(const std::vector<Index>& triangles)
@@ -86,12 +121,15 @@ void DeviationGuard::UpdateShapes(const std::vector<Index>& triangles)
     });
 }
 
-bool DeviationGuard::IsShapely(Index t, double leastQuality) const
+bool DeviationGuard::IsMoved(Index t) const
 {
-  if (this->Quality[t] < std::min(leastQuality, this->AdmittedQuality[t]))
-  {
-    return false;
-  }
+  return this->Candidate.row(this->T(t, 0)) != this->Admitted.row(this->T(t, 0)) ||
+         this->Candidate.row(this->T(t, 1)) != this->Admitted.row(this->T(t, 1)) ||
+         this->Candidate.row(this->T(t, 2)) != this->Admitted.row(this->T(t, 2));
+}
+
+bool DeviationGuard::IsFolded(Index t) const
+{
   for (int k = 0; k < 3; ++k)
   {
     const Index neighbour = this->Neighbours(t, k);
@@ -101,21 +139,11 @@ bool DeviationGuard::IsShapely(Index t, double leastQuality) const
         LeastCosineAtEdge, this->AdmittedNormals.row(t).dot(this->AdmittedNormals.row(neighbour)));
       if (this->Normals.row(t).dot(this->Normals.row(neighbour)) < limit)
       {
-        return false;
+        return true;
       }
     }
   }
-  return true;
-}
-
-bool DeviationGuard::IsMoved(Index t) const
-{
-  bool isMoved = false;
-  for (int k = 0; k < 3; ++k)
-  {
-    isMoved = isMoved || this->Candidate.row(this->T(t, k)) != this->Admitted.row(this->T(t, k));
-  }
-  return isMoved;
+  return false;
 }
 
 bool DeviationGuard::IsTurned(Index t) const
@@ -125,69 +153,69 @@ bool DeviationGuard::IsTurned(Index t) const
          std::min(LeastCosine, this->AdmittedCosine[t]);
 }
 
+template <typename IsBeyond>
+std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyond& isBeyond)
+{
+  const auto middle =
+    std::stable_partition(list.begin(), list.end(), [&](Index t) { return !isBeyond(t); });
+  std::vector<Index> beyond(middle, list.end());
+  list.erase(middle, list.end());
+  return beyond;
+}
+
+std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list)
+{
+  std::vector<Index> astray;
+  for (const DistanceProofs::Failure& failure : this->ToOriginal.Check(
+         list, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance))
+  {
+    astray.push_back(failure.triangle);
+  }
+  std::copy_if(list.begin(), list.end(), std::back_inserter(astray),
+    [this](Index t) { return this->IsTurned(t); });
+  return astray;
+}
+
 std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   const std::vector<Index>& vertices, double leastQuality)
 {
   this->Tree.Invalidate();
-  Mask isChanged(this->T.rows(), false);
-  std::vector<Index> changed;
-  for (const Index i : vertices)
-  {
-    for (const Index* c = this->Topology.cornersAt.Begin(i); c != this->Topology.cornersAt.End(i);
-         ++c)
-    {
-      AddOnce({ *c / 3 }, isChanged, changed);
-    }
-  }
-  std::vector<Index> originals = this->ToCandidate.FindDependent(isChanged);
-  Mask isOriginalListed(this->T.rows(), false);
-  for (const Index t : originals)
-  {
-    isOriginalListed[t] = true;
-  }
-  AddOnce(this->OpenOriginal, isOriginalListed, originals);
-  AddOnce(this->Open, isChanged, changed);
+  std::vector<Index> changed = this->TrianglesAt(vertices);
+  Mask isListed(this->T.rows(), false);
+  AddOnce(changed, isListed);
+  std::vector<Index> originals = this->ToCandidate.FindDependent(isListed);
+  AddOnce(this->Open, isListed, changed);
+  isListed.assign(isListed.size(), false);
+  AddOnce(originals, isListed);
+  AddOnce(this->OpenOriginal, isListed, originals);
 
   this->UpdateShapes(changed);
-  Mask isShapely(changed.size());
-  ParallelFor(static_cast<Index>(changed.size()),
-    [&](Index k) { isShapely[k] = this->IsShapely(changed[k], leastQuality); });
-  std::vector<Index> bad;
-  std::vector<Index> shapely;
-  for (std::size_t k = 0; k < changed.size(); ++k)
-  {
-    (isShapely[k] ? shapely : bad).push_back(changed[k]);
-  }
-  const SurfaceView original{ this->Original, this->T, this->Neighbours };
-  for (const DistanceProofs::Failure& failure : this->ToOriginal.Check(
-         shapely, this->Candidate, original, this->OriginalTree, this->Distance))
-  {
-    bad.push_back(failure.triangle);
-  }
-  std::copy_if(shapely.begin(), shapely.end(), std::back_inserter(bad),
-    [this](Index t) { return this->IsTurned(t); });
+  std::vector<Index> bad = Split(changed,
+    [&](Index t)
+    {
+      return this->Quality[t] < std::min(leastQuality, this->AdmittedQuality[t]) ||
+             this->IsFolded(t);
+    });
+  const std::vector<Index> astray = this->FindAstray(changed);
+  bad.insert(bad.end(), astray.begin(), astray.end());
   // What has not moved is admitted already; its neighbours are to blame for a fold between them.
-  this->Open.clear();
-  std::copy_if(bad.begin(), bad.end(), std::back_inserter(this->Open),
-    [this](Index t) { return this->IsMoved(t); });
+  this->Open = Split(bad, [this](Index t) { return this->IsMoved(t); });
 
   std::vector<Failure> failures;
   for (const Index t : this->Open)
   {
     failures.push_back({ t, {} });
   }
-  const SurfaceView candidate{ this->Candidate, this->T, this->Neighbours };
   this->OpenOriginal.clear();
   for (const DistanceProofs::Failure& failure : this->ToCandidate.Check(
-         originals, this->Original, candidate, this->Tree, this->Distance))
+         originals, this->Original, this->CandidateView(), this->Tree, this->Distance))
   {
     const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(failure.triangle);
-    const bool isMoved = std::any_of(
-      admitted.used.begin(), admitted.used.end(), [this](Index t) { return this->IsMoved(t); });
-    if (isMoved)
+    const std::vector<Index>& used = admitted.used;
+    if (std::any_of(used.begin(), used.end(), [this](Index t) { return this->IsMoved(t); }))
     {
       this->OpenOriginal.push_back(failure.triangle);
-      failures.push_back({ failure.close < 0 ? failure.triangle : failure.close, admitted.used });
+      failures.push_back({ failure.close < 0 ? failure.triangle : failure.close, used });
     }
     else
     {
@@ -197,27 +225,111 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   return failures;
 }
 
+void DeviationGuard::AdmitShape(Index t)
+{
+  const Index below = this->ToOriginal.Get(t).seed;
+  this->AdmittedNormals.row(t) = this->Normals.row(t);
+  this->AdmittedQuality[t] = this->Quality[t];
+  this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
+}
+
 void DeviationGuard::Admit()
 {
-  this->Bound = std::max(this->ToOriginal.GetBound(), this->ToCandidate.GetBound());
   this->Admitted = this->Candidate;
-  this->AdmittedNormals = this->Normals;
-  this->AdmittedQuality = this->Quality;
   this->ToAdmitted = this->ToCandidate;
-  this->AdmittedCosine.resize(this->T.rows());
-  ParallelFor(static_cast<Index>(this->T.rows()),
-    [this](Index t)
-    {
-      const Index below = this->ToOriginal.Get(t).seed;
-      this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
-    });
+  this->Dependents.clear();
+  ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitShape(t); });
 }
 
 void DeviationGuard::Reject()
 {
   this->Candidate = this->Admitted;
-  std::vector<Index> all(this->Candidate.rows());
-  std::iota(all.begin(), all.end(), 0);
-  this->Check(all, 0);
+  this->ToCandidate = this->ToAdmitted;
+  this->Tree.Invalidate();
+  this->Open.clear();
+  this->OpenOriginal.clear();
+  this->Normals = this->AdmittedNormals;
+  this->Quality = this->AdmittedQuality;
+}
+
+double DeviationGuard::GetBound() const
+{
+  return std::max(this->ToOriginal.GetBound(), this->ToAdmitted.GetBound());
+}
+
+void DeviationGuard::BuildDependents()
+{
+  this->Dependents.resize(this->T.rows());
+  for (Index t = 0; t < this->ToAdmitted.Size(); ++t)
+  {
+    for (const Index used : this->ToAdmitted.Get(t).used)
+    {
+      this->Dependents[used].push_back(t);
+    }
+  }
+}
+
+bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
+{
+  if (this->Dependents.empty())
+  {
+    this->Tree.Refit();
+    this->BuildDependents();
+  }
+  const std::vector<Index> changed = this->TrianglesAt({ vertex });
+  this->Move(vertex, position);
+  this->UpdateShapes(changed);
+  std::vector<DistanceProofs::Proof> proofs;
+  for (const Index t : changed)
+  {
+    proofs.push_back(this->ToOriginal.Get(t));
+  }
+  std::vector<Index> originals;
+  bool isAdmitted =
+    std::none_of(changed.begin(), changed.end(), [this](Index t) { return this->IsFolded(t); }) &&
+    this->FindAstray(changed).empty();
+  if (isAdmitted)
+  {
+    for (const Index t : changed)
+    {
+      originals.insert(originals.end(), this->Dependents[t].begin(), this->Dependents[t].end());
+    }
+    std::sort(originals.begin(), originals.end());
+    originals.erase(std::unique(originals.begin(), originals.end()), originals.end());
+    this->Tree.Refit(changed);
+    isAdmitted = this->ToCandidate
+                   .Check(originals, this->Original, this->CandidateView(), this->Tree,
+                     this->Distance)
+                   .empty();
+  }
+  if (isAdmitted)
+  {
+    this->Admitted.row(vertex) = position;
+    for (const Index t : changed)
+    {
+      this->AdmitShape(t);
+    }
+    for (const Index t : originals)
+    {
+      this->ToAdmitted.Set(t, this->ToCandidate.Get(t));
+      for (const Index used : this->ToAdmitted.Get(t).used)
+      {
+        this->Dependents[used].push_back(t);
+      }
+    }
+    return true;
+  }
+  this->Move(vertex, this->Admitted.row(vertex));
+  this->UpdateShapes(changed);
+  for (std::size_t k = 0; k < changed.size(); ++k)
+  {
+    this->ToOriginal.Set(changed[k], proofs[k]);
+  }
+  for (const Index t : originals)
+  {
+    this->ToCandidate.Set(t, this->ToAdmitted.Get(t));
+  }
+  this->Tree.Refit(changed);
+  return false;
 }
 }

@@ -32,34 +32,51 @@ public:
   /// The positions admitted so far: those of the original mesh at first.
   const Points& GetAdmitted() const { return this->Admitted; }
 
-  /// Unit normals and t of the admitted triangles.
-  const Points& GetAdmittedNormals() const { return this->AdmittedNormals; }
+  /// t of the admitted triangles.
   const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
 
-  /// The positions to be judged; whoever moves a vertex names it in the next Check().
-  const Points& GetCandidate() const { return this->Candidate; }
+  /// Every point of one surface is within this distance of the other, for the positions admitted.
+  double GetBound() const;
+
+  /// Sets a position to be judged; the vertex has to be named in the next Check().
   void Move(Index vertex, const Vector3& position) { this->Candidate.row(vertex) = position; }
 
-  /// Judges the candidate.
+  /// Judges the positions set.
   /// \param vertices that have moved since the last call
-  /// \param leastQuality t below which a triangle's t must not fall
-  /// \return no failures if the candidate may be admitted
+  /// \param leastQuality t below which that of a triangle must not fall
+  /// \return no failures if they may be admitted
   std::vector<Failure> Check(const std::vector<Index>& vertices, double leastQuality);
 
-  /// Admits the candidate, in which Check() found no failure.
+  /// Admits the positions set, in which Check() found no failure.
   void Admit();
 
   /// Goes back to the admitted positions.
   void Reject();
 
-  /// Every point of one surface is within this distance of the other, in both directions.
-  double GetBound() const { return this->Bound; }
+  /// Moves one vertex and admits that, if no limit is passed; a triangle's t may fall. Any positions
+  /// set before have to be admitted or rejected.
+  /// \return whether it is admitted
+  bool TryMove(Index vertex, const Vector3& position);
 
 private:
+  std::vector<Index> TrianglesAt(const std::vector<Index>& vertices) const;
+  SurfaceView OriginalView() const { return { this->Original, this->T, this->Neighbours }; }
+  SurfaceView CandidateView() const { return { this->Candidate, this->T, this->Neighbours }; }
+
   void UpdateShapes(const std::vector<Index>& triangles);
-  bool IsShapely(Index t, double leastQuality) const;
   bool IsMoved(Index t) const;
+  bool IsFolded(Index t) const;
   bool IsTurned(Index t) const;
+
+  /// Moves the triangles of the list that are beyond a limit to the result.
+  template <typename IsBeyond>
+  static std::vector<Index> Split(std::vector<Index>& list, const IsBeyond& isBeyond);
+
+  /// The triangles of the list that are far from the original surface or turned against it.
+  std::vector<Index> FindAstray(const std::vector<Index>& list);
+
+  void AdmitShape(Index t);
+  void BuildDependents();
 
   const Points& Original;
   const Triangles& T;
@@ -69,12 +86,11 @@ private:
   Points ReferenceNormals; ///< unit normals of the original triangles, smoothed
   Points Admitted;
   Points Candidate;
-  Points AdmittedNormals;
-  Points Normals; ///< of the candidate
+  Points AdmittedNormals; ///< of the triangles
+  Points Normals;
   Vector AdmittedQuality;
-  Vector Quality;        ///< of the candidate
+  Vector Quality;
   Vector AdmittedCosine; ///< of the angle to the reference normal
-  double Bound = 0;
   TriangleTree OriginalTree;
   TriangleTree Tree;               ///< of the candidate
   DistanceProofs ToOriginal;       ///< the candidate's triangles are close to the original mesh
@@ -82,6 +98,7 @@ private:
   DistanceProofs ToAdmitted;       ///< the original triangles are close to the admitted mesh
   std::vector<Index> Open;         ///< triangles of the candidate that failed in the last check
   std::vector<Index> OpenOriginal; ///< the same of the original mesh
+  std::vector<std::vector<Index>> Dependents; ///< whose proofs in ToAdmitted need each triangle
 };
 }
 

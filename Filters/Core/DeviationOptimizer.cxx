@@ -6,6 +6,7 @@
 #include "LinearSolver.h"
 #include "Parallel.h"
 #include "TriangleGeometry.h"
+#include "WorstTriangles.h"
 
 #include <algorithm>
 
@@ -13,13 +14,13 @@ namespace lmo
 {
 namespace
 {
-constexpr double PositionScale = 0.1;       ///< s
+constexpr double PositionScale = 0.05;      ///< s
 constexpr double LeastPositionWeight = 1e-4;
 constexpr double GoodQuality = 0.5;         ///< t from which a vertex is held with its full weight
 constexpr double SolverTolerance = 1e-3;    ///< the next pass corrects what is left
 constexpr double SmallestShare = 0.2;       ///< of a motion that is worth keeping
 constexpr double Hold = 1.6;                ///< factor of W_p where motion was taken back
-constexpr double Release = 0.9;             ///< and where it was not
+constexpr double Release = 0.7;             ///< and where it was not
 constexpr double SmallestGain = 2e-4;       ///< of t_mean, for which another pass is worth it
 
 class Passes
@@ -53,8 +54,8 @@ private:
   /// \return whether it allows any motion
   bool Settle(const Points& motion, double leastQuality, Monitor& monitor);
 
-  /// The position of a vertex after a share of its motion.
-  Vector3 Displaced(Index i, const Vector3& motion) const;
+  /// The closest position that the vertex may have.
+  Vector3 Place(Index i, const Vector3& position) const;
 
   /// Halves the share of the vertices that are to blame for the failures.
   /// \return these vertices
@@ -141,14 +142,12 @@ Solution Passes::Propose(Monitor& monitor)
   return SolveByDiagonal(this->Problem, solver, monitor);
 }
 
-Vector3 Passes::Displaced(Index i, const Vector3& motion) const
+Vector3 Passes::Place(Index i, const Vector3& position) const
 {
-  Vector3 position = this->Guard.GetAdmitted().row(i) + motion;
-  if (this->Features.pointClass[i] == FeatureLines::EDGE)
-  {
-    position = ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position);
-  }
-  return this->Options.roundToFloat ? Vector3(position.cast<float>().cast<double>()) : position;
+  const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
+    ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
+    : position;
+  return this->Options.roundToFloat ? Vector3(placed.cast<float>().cast<double>()) : placed;
 }
 
 std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& failures)
@@ -208,9 +207,9 @@ bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
       [&](Index k)
       {
         const Index i = moving[k];
-        const Vector3 step = this->Share[i] * motion.row(i);
-        this->Guard.Move(i, this->Share[i] > 0 ? this->Displaced(i, step)
-                                               : Vector3(this->Guard.GetAdmitted().row(i)));
+        const Vector3 start = this->Guard.GetAdmitted().row(i);
+        const double share = this->Share[i];
+        this->Guard.Move(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
       });
     const auto failures = this->Guard.Check(moving, leastQuality);
     if (getenv("LMO_TRACE")) fprintf(stderr, "  round: moved %zu failures %zu\n", moving.size(), failures.size());
@@ -253,6 +252,12 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       {
         break;
       }
+    }
+    if (this->Options.deviation.improveWorstTriangles)
+    {
+      ImproveWorstTriangles(this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(),
+        this->Problem.motion,
+        [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
     }
   }
   catch (const Cancelled&)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FeatureDetection.h"
 
+#include "Features.h"
 #include "Parallel.h"
 #include "TriangleGeometry.h"
 
@@ -15,6 +16,7 @@ namespace
 {
 constexpr double WorstQuality = 0.1;
 constexpr Index FewestEdges = 10;
+constexpr double FlatShare = 0.25; ///< of the angle, below which edges are flat
 
 /// The neighbours j of each vertex i for which isChosen(i, j), in ascending order.
 template <typename IsChosen>
@@ -72,42 +74,86 @@ struct EdgeTriangles
   }
 };
 
-/// Drops the groups of connected edges that are too few to be a feature.
-AdjacencyLists DropSmallGroups(const AdjacencyLists& edges, const MeshTopology& topology)
+/// Angle between the normals of an edge's triangles, in radians, or a straight one if there are not
+/// two that agree in their orientation.
+double DihedralAngle(const Points& V, const Triangles& T, const EdgeTriangles& edge)
 {
-  const std::vector<Index> group = ConnectedComponents(edges);
-  std::vector<Index> ends(group.size(), 0);
+  if (!edge.areOpposite)
+  {
+    return Pi;
+  }
+  const Vector3 a = ScaledNormal(V, T, edge.triangles[0]).stableNormalized();
+  const Vector3 b = ScaledNormal(V, T, edge.triangles[1]).stableNormalized();
+  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
+}
+
+bool Contains(const AdjacencyLists& edges, Index i, Index j)
+{
+  return std::binary_search(edges.Begin(i), edges.End(i), j);
+}
+
+/// Connected edges.
+struct Group
+{
+  Index ends = 0; ///< twice the number of edges
+  Index corners = 0;
+  Index inner = 0; ///< vertices inside lines
+  double angleBeside = 0;
+  Index beside = 0; ///< other edges at the vertices
+
+  bool IsFeature(double angle) const
+  {
+    const bool isLine = 4 * this->corners <= this->inner;
+    const bool isBesideFlat = this->angleBeside < FlatShare * angle * this->beside;
+    return this->ends >= 2 * FewestEdges && (isLine || isBesideFlat);
+  }
+};
+
+/// Drops the groups of connected edges that are no feature.
+AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const Triangles& triangles,
+  const MeshTopology& topology, double angle)
+{
+  const std::vector<Index> groupOf = ConnectedComponents(edges);
+  const FeatureLines lines = ClassifyLines(std::make_shared<AdjacencyLists>(edges), V);
+  std::vector<Group> groups(topology.vertices);
   for (Index i = 0; i < topology.vertices; ++i)
   {
-    ends[group[i]] += edges.Size(i);
+    if (edges.Size(i) > 0)
+    {
+      Group& group = groups[groupOf[i]];
+      group.ends += edges.Size(i);
+      group.corners += lines.pointClass[i] == FeatureLines::CORNER;
+      group.inner += lines.pointClass[i] == FeatureLines::EDGE;
+      for (const Index* j = topology.oneRings.Begin(i); j != topology.oneRings.End(i); ++j)
+      {
+        if (!Contains(edges, i, *j))
+        {
+          group.angleBeside +=
+            DihedralAngle(V, triangles, EdgeTriangles(triangles, topology, i, *j));
+          ++group.beside;
+        }
+      }
+    }
   }
-  const auto contains = [&edges](Index i, Index j)
-  { return std::binary_search(edges.Begin(i), edges.End(i), j); };
   return ChooseEdges(topology,
-    [&](Index i, Index j) { return contains(i, j) && ends[group[i]] >= 2 * FewestEdges; });
+    [&](Index i, Index j) { return Contains(edges, i, j) && groups[groupOf[i]].IsFeature(angle); });
 }
 }
 
 AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
   const MeshTopology& topology, const Vector& quality, double angle)
 {
-  const double cosine = std::cos(angle * Pi / 180);
+  const double radians = angle * Pi / 180;
   const AdjacencyLists sharp = ChooseEdges(topology,
     [&](Index i, Index j)
     {
       const EdgeTriangles edge(triangles, topology, i, j);
-      if (edge.count == 1 || (edge.count == 2 && edge.areOpposite &&
-                               std::min(quality[edge.triangles[0]], quality[edge.triangles[1]]) <
-                                 WorstQuality))
-      {
-        return false;
-      }
-      return !edge.areOpposite ||
-             ScaledNormal(V, triangles, edge.triangles[0])
-                 .stableNormalized()
-                 .dot(ScaledNormal(V, triangles, edge.triangles[1]).stableNormalized()) < cosine;
+      const bool isBoundary = edge.count == 1;
+      const bool isBad = edge.areOpposite && std::min(quality[edge.triangles[0]],
+                                               quality[edge.triangles[1]]) < WorstQuality;
+      return !isBoundary && !isBad && DihedralAngle(V, triangles, edge) > radians;
     });
-  return DropSmallGroups(sharp, topology);
+  return DropNoise(sharp, V, triangles, topology, radians);
 }
 
 AdjacencyLists EdgesBetweenRegions(

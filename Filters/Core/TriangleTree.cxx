@@ -90,6 +90,14 @@ TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
   }
   const Index leaves = this->Leaves / subtrees;
   ParallelTasks(subtrees, [&](Index k) { this->Sort(k * leaves, leaves); });
+  this->LeafOf.assign(triangles.rows(), -1);
+  for (Index leaf = 0; leaf < this->Leaves; ++leaf)
+  {
+    for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
+    {
+      this->LeafOf[this->Order[k]] = leaf;
+    }
+  }
   this->Refit();
 }
 
@@ -121,6 +129,35 @@ void TriangleTree::Sort(Index firstLeaf, Index leaves)
   }
 }
 
+TriangleTree::Box TriangleTree::LeafBox(Index leaf) const
+{
+  Box box;
+  for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      box.extend(this->V.row(this->T(this->Order[k], corner)).transpose());
+    }
+  }
+  return box;
+}
+
+void TriangleTree::Refit(const std::vector<Index>& triangles)
+{
+  for (const Index t : triangles)
+  {
+    if (this->LeafOf[t] >= 0)
+    {
+      Index node = this->Leaves + this->LeafOf[t];
+      this->Boxes[node] = this->LeafBox(this->LeafOf[t]);
+      for (node /= 2; node > 0; node /= 2)
+      {
+        this->Boxes[node] = this->Boxes[2 * node].merged(this->Boxes[2 * node + 1]);
+      }
+    }
+  }
+}
+
 void TriangleTree::Refit()
 {
   if (this->IsCurrent)
@@ -129,18 +166,7 @@ void TriangleTree::Refit()
   }
   this->IsCurrent = true;
   ParallelFor(this->Leaves,
-    [&](Index leaf)
-    {
-      Box box;
-      for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
-      {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          box.extend(this->V.row(this->T(this->Order[k], corner)).transpose());
-        }
-      }
-      this->Boxes[this->Leaves + leaf] = box;
-    });
+    [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
   for (Index level = this->Leaves / 2; level > 0; level /= 2)
   {
     ParallelFor(level,

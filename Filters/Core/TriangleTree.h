@@ -33,6 +33,9 @@ public:
   /// Adapts the boxes to the present positions.
   void Refit();
 
+  /// The same if only these triangles have moved.
+  void Refit(const std::vector<Index>& triangles);
+
   /// The triangle closest to x, if its distance is at most \a radius.
   /// \param hint a triangle that is perhaps close, or -1
   Hit FindClosest(const Vector3& x, double radius, Index hint = -1) const;
@@ -54,6 +57,7 @@ private:
   /// Halves until every leaf has its own.
   void Sort(Index firstLeaf, Index leaves);
 
+  Box LeafBox(Index leaf) const;
   void Try(Index triangle, const Vector3& x, Hit& best) const;
 
   const Points& V;
@@ -61,6 +65,7 @@ private:
   bool IsCurrent = false;
   Index Leaves = 1;         ///< a power of two
   std::vector<Index> Order; ///< the triangles, those of a leaf side by side
+  std::vector<Index> LeafOf; ///< leaf of each triangle, or -1
   std::vector<Box> Boxes;   ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
 };
 }

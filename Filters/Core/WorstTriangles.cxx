@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "WorstTriangles.h"
+
+#include "Quality.h"
+#include "TriangleGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+constexpr double Goals[] = { 0.3, 0.4 }; ///< of t, one after the other
+constexpr int Directions = 12;
+constexpr double Lengths[] = { 0.4, 0.2, 0.1, 0.05, 0.02 }; ///< in mean edge lengths at the vertex
+constexpr int MostSweeps = 10;
+constexpr int MostMoves = 10; ///< of a vertex at once
+constexpr double SmallestGain = 1e-3;
+
+class Search
+{
+public:
+  Search(DeviationGuard& guard, const Triangles& triangles, const MeshTopology& topology,
+    const MotionConstraints& motion, const PlaceVertex& place)
+    : Guard(guard)
+    , T(triangles)
+    , Topology(topology)
+    , Motion(motion)
+    , Place(place)
+  {
+  }
+
+  /// Improves the triangles with t below the goal once.
+  /// \return whether a vertex has moved
+  bool Sweep(double goal, Monitor& monitor)
+  {
+    bool hasMoved = false;
+    for (const Index t : this->WorstFirst(goal))
+    {
+      monitor.Report(0);
+      for (int k = 0; k < 3 && this->Guard.GetAdmittedQuality()[t] < goal; ++k)
+      {
+        hasMoved |= this->Improve(this->T(t, k));
+      }
+    }
+    return hasMoved;
+  }
+
+private:
+  struct Proposal
+  {
+    double quality;
+    Vector3 position;
+  };
+
+  std::vector<Index> WorstFirst(double goal) const
+  {
+    const Vector& quality = this->Guard.GetAdmittedQuality();
+    std::vector<Index> worst;
+    for (Index t = 0; t < static_cast<Index>(quality.size()); ++t)
+    {
+      if (quality[t] < goal && !IsCollapsed(this->T, t))
+      {
+        worst.push_back(t);
+      }
+    }
+    std::stable_sort(
+      worst.begin(), worst.end(), [&](Index s, Index t) { return quality[s] < quality[t]; });
+    return worst;
+  }
+
+  /// Minimum of t around a vertex at a position.
+  double QualityAt(Index vertex, const Vector3& position) const
+  {
+    const Points& V = this->Guard.GetAdmitted();
+    const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+    double minimum = 1;
+    for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
+    {
+      minimum = std::min(minimum, RadiusRatio(position, V.row(this->T.data()[NextCorner(*c)]),
+                                    V.row(this->T.data()[PreviousCorner(*c)])));
+    }
+    return minimum;
+  }
+
+  double MeanEdgeLength(Index vertex) const
+  {
+    const Points& V = this->Guard.GetAdmitted();
+    const AdjacencyLists& rings = this->Topology.oneRings;
+    double sum = 0;
+    for (const Index* j = rings.Begin(vertex); j != rings.End(vertex); ++j)
+    {
+      sum += (V.row(*j) - V.row(vertex)).norm();
+    }
+    return sum / rings.Size(vertex);
+  }
+
+  Vector3 NormalAt(Index vertex) const
+  {
+    const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+    Vector3 normal = Vector3::Zero();
+    for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
+    {
+      normal += ScaledNormal(this->Guard.GetAdmitted(), this->T, *c / 3);
+    }
+    return normal.stableNormalized();
+  }
+
+  /// Unit directions in which the vertex may move.
+  std::vector<Vector3> DirectionsOf(Index vertex) const
+  {
+    const Vector3 axis = this->Motion.axes.row(vertex);
+    if (this->Motion.freedom[vertex] == MotionConstraints::ALONG_LINE)
+    {
+      return { axis, -axis };
+    }
+    const Vector3 normal = this->NormalAt(vertex);
+    const Vector3 u = normal.unitOrthogonal();
+    const Vector3 v = normal.cross(u);
+    std::vector<Vector3> directions;
+    for (int k = 0; k < Directions; ++k)
+    {
+      const double angle = 2 * Pi * k / Directions;
+      directions.push_back(std::cos(angle) * u + std::sin(angle) * v);
+    }
+    return directions;
+  }
+
+  /// The positions around the vertex that raise t, best first.
+  std::vector<Proposal> Propose(Index vertex) const
+  {
+    const Vector3 here = this->Guard.GetAdmitted().row(vertex);
+    const double quality = this->QualityAt(vertex, here);
+    const double unit = this->MeanEdgeLength(vertex);
+    std::vector<Proposal> proposals;
+    for (const Vector3& direction : this->DirectionsOf(vertex))
+    {
+      for (const double length : Lengths)
+      {
+        const Vector3 position = this->Place(vertex, here + length * unit * direction);
+        const double reached = this->QualityAt(vertex, position);
+        if (reached > quality + SmallestGain)
+        {
+          proposals.push_back({ reached, position });
+        }
+      }
+    }
+    std::stable_sort(proposals.begin(), proposals.end(),
+      [](const Proposal& a, const Proposal& b) { return a.quality > b.quality; });
+    return proposals;
+  }
+
+  bool Improve(Index vertex)
+  {
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
+    {
+      return false;
+    }
+    for (int move = 0; move < MostMoves; ++move)
+    {
+      const std::vector<Proposal> proposals = this->Propose(vertex);
+      const bool isAdmitted = std::any_of(proposals.begin(), proposals.end(),
+        [&](const Proposal& proposal)
+        { return this->Guard.TryMove(vertex, proposal.position); });
+      if (!isAdmitted)
+      {
+        return move > 0;
+      }
+    }
+    return true;
+  }
+
+  DeviationGuard& Guard;
+  const Triangles& T;
+  const MeshTopology& Topology;
+  const MotionConstraints& Motion;
+  const PlaceVertex& Place;
+};
+}
+
+void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
+  const MeshTopology& topology, const MotionConstraints& motion, const PlaceVertex& place,
+  Monitor& monitor)
+{
+  Search search(guard, triangles, topology, motion, place);
+  for (const double goal : Goals)
+  {
+    for (int sweep = 0; sweep < MostSweeps && search.Sweep(goal, monitor); ++sweep)
+    {
+    }
+  }
+}
+}
