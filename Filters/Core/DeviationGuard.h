@@ -35,6 +35,9 @@ public:
   /// t of the admitted triangles.
   const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
 
+  /// Heights of the original surface over an admitted triangle.
+  const HeightRange& GetHeights(Index t) const { return this->ToOriginal.Get(t).heights; }
+
   /// Every point of one surface is within this distance of the other, for the positions admitted.
   double GetBound() const;
 

@@ -14,14 +14,23 @@ namespace lmo
 {
 namespace
 {
-constexpr double PositionScale = 0.05;      ///< s
+constexpr double PositionScale = 0.05; ///< s
 constexpr double LeastPositionWeight = 1e-4;
-constexpr double GoodQuality = 0.5;         ///< t from which a vertex is held with its full weight
-constexpr double SolverTolerance = 1e-3;    ///< the next pass corrects what is left
-constexpr double SmallestShare = 0.2;       ///< of a motion that is worth keeping
-constexpr double Hold = 1.6;                ///< factor of W_p where motion was taken back
-constexpr double Release = 0.7;             ///< and where it was not
-constexpr double SmallestGain = 2e-4;       ///< of t_mean, for which another pass is worth it
+constexpr double GoodQuality = 0.5;      ///< t from which a vertex is held with its full weight
+constexpr double SolverTolerance = 1e-3; ///< the next pass corrects what is left
+constexpr double SmallestShare = 0.2;    ///< of a motion that is worth keeping
+constexpr double Hold = 1.3;             ///< factor of W_p where motion was taken back
+constexpr double Release = 0.7;          ///< and where it was not
+constexpr double OverRelaxation = 1.5;   ///< of the motion where none was taken back
+constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
+constexpr double Centring = 1.3;         ///< factor of that motion
+constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
+
+/// Least t that a pass may give a triangle which had it.
+double LeastQuality(int pass)
+{
+  return pass < 2 ? 0.1 : 0.3;
+}
 
 class Passes
 {
@@ -31,9 +40,10 @@ public:
     : Mesh(mesh)
     , Options(options)
     , Features(features)
-    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(),
-        options.deviation.maximum * mesh.GetDiagonal())
+    , Distance(options.deviation.maximum * mesh.GetDiagonal())
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance)
     , Adaption(Vector::Ones(mesh.GetPoints().rows()))
+    , Share(Vector::Zero(mesh.GetPoints().rows()))
   {
     this->SetUp(isFixed);
   }
@@ -54,6 +64,10 @@ private:
   /// \return whether it allows any motion
   bool Settle(const Points& motion, double leastQuality, Monitor& monitor);
 
+  /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
+  /// far above the original surface as below it; 0 if there is distance left.
+  double CentreAt(Index i) const;
+
   /// The closest position that the vertex may have.
   Vector3 Place(Index i, const Vector3& position) const;
 
@@ -64,6 +78,7 @@ private:
   MeshAnalysis& Mesh;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
+  const double Distance; ///< allowed
   DeviationGuard Guard;
   LeastSquaresProblem Problem;
   Vector Adaption; ///< factor of W_p
@@ -139,7 +154,29 @@ Solution Passes::Propose(Monitor& monitor)
   this->SetPositionWeights();
   SolverOptions solver = this->Options.solver;
   solver.tolerance = SolverTolerance;
-  return SolveByDiagonal(this->Problem, solver, monitor);
+  Solution solution = SolveByDiagonal(this->Problem, solver, monitor);
+  ParallelFor(this->Size(),
+    [&](Index i)
+    {
+      solution.displacement.row(i) *= this->Share[i] == 1 ? OverRelaxation : 1;
+      if (this->Problem.motion.freedom[i] == MotionConstraints::IN_PLANE)
+      {
+        solution.displacement.row(i) +=
+          Centring * this->CentreAt(i) * this->Problem.motion.axes.row(i);
+      }
+    });
+  return solution;
+}
+
+double Passes::CentreAt(Index i) const
+{
+  const AdjacencyLists& cornersAt = this->Mesh.GetTopology().cornersAt;
+  HeightRange heights;
+  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  {
+    heights.Add(this->Guard.GetHeights(*corner / 3));
+  }
+  return heights.Largest() > CentringShare * this->Distance ? heights.Centre() : 0;
 }
 
 Vector3 Passes::Place(Index i, const Vector3& position) const
@@ -242,7 +279,7 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       result.iterations += solution.iterations;
       result.relativeResidual = solution.relativeResidual;
       const double before = meanQuality();
-      if (!this->Settle(solution.displacement, pass < 2 ? 0.3 : 0.5, monitor))
+      if (!this->Settle(solution.displacement, LeastQuality(pass), monitor))
       {
         break;
       }

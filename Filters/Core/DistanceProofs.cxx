@@ -37,7 +37,7 @@ void TestOpen(const std::vector<Index>& list, const Points& V, const SurfaceView
       close[k] = nearness.failure;
       if (nearness.isProven)
       {
-        proof = { nearness.used[0], distance, std::move(nearness.used) };
+        proof = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
       }
     });
 }
@@ -79,7 +79,7 @@ std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Ind
                                                        : OPEN;
         if (verdict == TriangleCover::WITHIN)
         {
-          proof.bound = cover.GetBound();
+          proof.heights = cover.GetHeights();
           proof.used = cover.GetUsed();
         }
         else if (verdict == TriangleCover::BEYOND)
@@ -130,7 +130,7 @@ double DistanceProofs::GetBound() const
   double bound = 0;
   for (const Proof& proof : this->Proofs)
   {
-    bound = std::max(bound, proof.bound);
+    bound = std::max(bound, proof.heights.Largest());
   }
   return bound;
 }

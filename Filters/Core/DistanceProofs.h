@@ -24,7 +24,7 @@ public:
   struct Proof
   {
     Index seed;              ///< triangle of the second mesh over its centre
-    double bound = 0;        ///< largest distance, not more than the one allowed
+    HeightRange heights;     ///< of the second mesh over it
     std::vector<Index> used; ///< triangles of the second mesh that the proof needs
   };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleCover.h"
 
+#include "TriangleGeometry.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -50,8 +52,14 @@ bool Crosses(const Eigen::Vector3d& p, const Eigen::Vector3d& q)
   return true;
 }
 
-/// Largest height, in magnitude, of the part of a triangle that lies over the unit triangle.
-double LargestHeight(const Eigen::Vector3d corners[3])
+/// The part of a triangle that lies over the unit triangle: a convex polygon.
+struct Piece
+{
+  Eigen::Vector3d corners[8];
+  int size = 0;
+};
+
+Piece Clip(const Eigen::Vector3d corners[3])
 {
   Eigen::Vector3d polygon[2][8];
   int size = 3;
@@ -78,31 +86,29 @@ double LargestHeight(const Eigen::Vector3d corners[3])
     }
     size = count;
   }
-  double height = 0;
-  for (int i = 0; i < size; ++i)
-  {
-    height = std::max(height, std::abs(polygon[1][i][2]));
-  }
-  return height;
+  Piece piece;
+  piece.size = size;
+  std::copy(polygon[1], polygon[1] + size, piece.corners);
+  return piece;
 }
 }
 
 bool TriangleCover::SetFrame(const TriangleCorners& triangle)
 {
   this->Origin = triangle.row(0);
-  const Vector3 ab = triangle.row(1) - triangle.row(0);
-  const Vector3 ac = triangle.row(2) - triangle.row(0);
-  const Vector3 normal = ab.cross(ac);
+  this->AB = triangle.row(1) - triangle.row(0);
+  this->AC = triangle.row(2) - triangle.row(0);
+  const Vector3 normal = this->AB.cross(this->AC);
   const double length = normal.norm();
-  const double longest =
-    std::max({ ab.squaredNorm(), ac.squaredNorm(), (ab - ac).eval().squaredNorm() });
+  const double longest = std::max(
+    { this->AB.squaredNorm(), this->AC.squaredNorm(), (this->AB - this->AC).eval().squaredNorm() });
   if (!(length > FlattestTriangle * longest))
   {
     return false;
   }
   const double scale = 1 / (length * length);
-  this->Frame.row(0) = scale * ac.cross(normal);
-  this->Frame.row(1) = scale * normal.cross(ab);
+  this->Frame.row(0) = scale * this->AC.cross(normal);
+  this->Frame.row(1) = scale * normal.cross(this->AB);
   this->Frame.row(2) = normal / length;
   return true;
 }
@@ -150,39 +156,41 @@ Index TriangleCover::FindCentre(const SurfaceView& mesh, Index seed) const
   return -1;
 }
 
-TriangleCover::Verdict TriangleCover::TestPart(
+bool TriangleCover::IsWithin(
   const SurfaceView& mesh, Index t, const ProjectedTriangle& part, double distance)
 {
-  double height = std::max({ std::abs(part.corners[0][2]), std::abs(part.corners[1][2]),
-    std::abs(part.corners[2][2]) });
-  if (height > distance)
+  const Piece piece = Clip(part.corners);
+  const TriangleCorners below = CornersOf(mesh.V, mesh.T, t);
+  for (int i = 0; i < piece.size; ++i)
   {
-    height = LargestHeight(part.corners);
+    double height = piece.corners[i][2];
+    if (std::abs(height) > distance)
+    {
+      // The distance to t is a convex function: it is largest at a corner of the piece as well.
+      const Vector3 point = this->Origin + piece.corners[i][0] * this->AB + piece.corners[i][1] * this->AC;
+      const Vector3 closest = ClosestPointOnTriangle(point, below.row(0), below.row(1), below.row(2));
+      if ((closest - point).norm() > distance)
+      {
+        return false;
+      }
+      height = std::copysign(distance, height);
+    }
+    this->Heights.Add(height);
   }
-  if (height <= distance)
-  {
-    this->Bound = std::max(this->Bound, height);
-    return WITHIN;
-  }
-  const TriangleCorners corners = CornersOf(mesh.V, mesh.T, t);
-  const Vector3 normal =
-    (corners.row(1) - corners.row(0)).cross(corners.row(2) - corners.row(0)).stableNormalized();
-  const double cosine = this->Frame.row(2).dot(normal);
-  return height * cosine > distance ? BEYOND : UNCLEAR;
+  return true;
 }
 
 TriangleCover::Verdict TriangleCover::Test(
   const TriangleCorners& triangle, const SurfaceView& mesh, Index seed, double distance)
 {
   this->Used.clear();
-  this->Bound = 0;
+  this->Heights = {};
   const Index centre = this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
   if (centre < 0)
   {
     return UNCLEAR;
   }
   this->Used.push_back(centre);
-  Verdict verdict = WITHIN;
   for (std::size_t next = 0; next < this->Used.size(); ++next)
   {
     const Index t = this->Used[next];
@@ -191,13 +199,11 @@ TriangleCover::Verdict TriangleCover::Test(
     {
       return UNCLEAR;
     }
-    const Verdict partVerdict = this->TestPart(mesh, t, part, distance);
-    if (partVerdict == BEYOND)
+    if (!this->IsWithin(mesh, t, part, distance))
     {
       this->Used.push_back(t);
       return BEYOND;
     }
-    verdict = std::max(verdict, partVerdict);
     for (int k = 0; k < 3; ++k)
     {
       if (Crosses(part.corners[k], part.corners[(k + 1) % 3]))
@@ -214,6 +220,6 @@ TriangleCover::Verdict TriangleCover::Test(
       }
     }
   }
-  return verdict;
+  return WITHIN;
 }
 }

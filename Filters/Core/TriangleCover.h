@@ -5,6 +5,8 @@
 
 #include "TriangleNeighbours.h"
 
+#include <algorithm>
+
 namespace lmo
 {
 /// A mesh by its parts, which somebody else keeps.
@@ -25,18 +27,41 @@ inline TriangleCorners CornersOf(const Points& V, const Triangles& triangles, In
   return corners;
 }
 
+/// Of a mesh over a triangle, along its normal; 0 counts always.
+struct HeightRange
+{
+  double lowest = 0;
+  double highest = 0;
+
+  void Add(double height)
+  {
+    this->lowest = std::min(this->lowest, height);
+    this->highest = std::max(this->highest, height);
+  }
+
+  void Add(const HeightRange& other)
+  {
+    this->Add(other.lowest);
+    this->Add(other.highest);
+  }
+
+  double Largest() const { return std::max(-this->lowest, this->highest); }
+  double Centre() const { return 0.5 * (this->lowest + this->highest); }
+};
+
 /// Bounds the distance of a triangle to a mesh: the mesh's triangles are laid over it along its
 /// normal. Those that meet it are collected across common edges; if each of them faces the same
 /// side and no edge inside it is a boundary, they cover it (a local homeomorphism onto a disc is
-/// one-to-one). Over each part the height is linear, so the largest one is at a corner of a part.
-/// The cost does not depend on the distance allowed.
+/// onto). They cut it into convex pieces, and since the distance to the triangle over a piece, a
+/// convex set, is a convex function, it is largest at a corner of the piece. The cost does not
+/// depend on the distance allowed.
 class TriangleCover
 {
 public:
   enum Verdict
   {
     WITHIN, ///< every point of the triangle is that close to the mesh
-    BEYOND, ///< a part of the mesh is farther than that from the part of the triangle over it
+    BEYOND, ///< a piece is farther than that from the mesh's triangle over it
     UNCLEAR ///< another test has to decide
   };
 
@@ -51,8 +76,8 @@ public:
   /// The triangles that the verdict is based on; the last is the one that is BEYOND.
   const std::vector<Index>& GetUsed() const { return this->Used; }
 
-  /// The largest distance, as far as it is known.
-  double GetBound() const { return this->Bound; }
+  /// Of what was WITHIN.
+  const HeightRange& GetHeights() const { return this->Heights; }
 
 private:
   /// A point by its barycentric coordinates for b and c, and its height.
@@ -71,13 +96,15 @@ private:
   /// Walks to the triangle over the centre; -1 if there is no way.
   Index FindCentre(const SurfaceView& mesh, Index seed) const;
 
-  /// Judges the part of t over the triangle.
-  Verdict TestPart(const SurfaceView& mesh, Index t, const ProjectedTriangle& part, double distance);
+  /// True if the part of the triangle under \a t is that close to \a t.
+  bool IsWithin(const SurfaceView& mesh, Index t, const ProjectedTriangle& part, double distance);
 
-  Vector3 Origin;
+  Vector3 Origin; ///< the triangle's corner a
+  Vector3 AB;
+  Vector3 AC;
   Eigen::Matrix3d Frame; ///< maps an offset from Origin to Projected
   std::vector<Index> Used;
-  double Bound = 0;
+  HeightRange Heights;
 };
 }
 

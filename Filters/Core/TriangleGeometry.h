@@ -12,6 +12,10 @@ constexpr double Pi = 3.14159265358979323846;
 /// Normal of triangle t, counter-clockwise, with twice the triangle's area as its length.
 Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t);
 
+/// The point of triangle abc that is closest to x.
+Vector3 ClosestPointOnTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
+
 /// Cotangent of the angle at each corner (Fig. 4): positive below a right angle, negative above,
 /// at most 1e6 in magnitude; 0 at the corners of a triangle without area.
 CornerValues Cotangents(const Points& V, const Triangles& triangles);

@@ -4,6 +4,7 @@
 
 #include "MeshTopology.h"
 #include "Parallel.h"
+#include "TriangleGeometry.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,54 +15,6 @@ namespace
 {
 constexpr Index TrianglesPerLeaf = 4;
 constexpr Index ParallelSubtrees = 16;
-}
-
-// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision Detection, 5.1.5).
-Vector3 ClosestPointOnTriangle(
-  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
-{
-  const Vector3 ab = b - a;
-  const Vector3 ac = c - a;
-  const Vector3 ax = x - a;
-  const double abax = ab.dot(ax);
-  const double acax = ac.dot(ax);
-  if (abax <= 0 && acax <= 0)
-  {
-    return a;
-  }
-  const Vector3 bx = x - b;
-  const double abbx = ab.dot(bx);
-  const double acbx = ac.dot(bx);
-  if (abbx >= 0 && acbx <= abbx)
-  {
-    return b;
-  }
-  const double weightOfC = abax * acbx - abbx * acax;
-  if (weightOfC <= 0 && abax >= 0 && abbx <= 0)
-  {
-    return abax > abbx ? Vector3(a + abax / (abax - abbx) * ab) : a;
-  }
-  const Vector3 cx = x - c;
-  const double abcx = ab.dot(cx);
-  const double accx = ac.dot(cx);
-  if (accx >= 0 && abcx <= accx)
-  {
-    return c;
-  }
-  const double weightOfB = abcx * acax - abax * accx;
-  if (weightOfB <= 0 && acax >= 0 && accx <= 0)
-  {
-    return acax > accx ? Vector3(a + acax / (acax - accx) * ac) : a;
-  }
-  const double weightOfA = abbx * accx - abcx * acbx;
-  const double towardsC = acbx - abbx;
-  const double towardsB = abcx - accx;
-  if (weightOfA <= 0 && towardsC >= 0 && towardsB >= 0)
-  {
-    const double sum = towardsC + towardsB;
-    return sum > 0 ? Vector3(b + towardsC / sum * (c - b)) : b;
-  }
-  return a + (weightOfB * ab + weightOfC * ac) / (weightOfA + weightOfB + weightOfC);
 }
 
 TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)

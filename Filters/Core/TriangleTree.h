@@ -9,10 +9,6 @@
 
 namespace lmo
 {
-/// The point of triangle abc that is closest to x.
-Vector3 ClosestPointOnTriangle(
-  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
-
 /// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
 /// and refitted after motions. (VTK's locators and Eigen's KdBVH have to be built anew.)
 class TriangleTree

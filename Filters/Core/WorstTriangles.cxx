@@ -12,7 +12,7 @@ namespace lmo
 {
 namespace
 {
-constexpr double Goals[] = { 0.3, 0.4 }; ///< of t, one after the other
+constexpr double Goals[] = { 0.3, 0.4, 0.45 }; ///< of t, one after the other
 constexpr int Directions = 12;
 constexpr double Lengths[] = { 0.4, 0.2, 0.1, 0.05, 0.02 }; ///< in mean edge lengths at the vertex
 constexpr int MostSweeps = 10;
