@@ -3,7 +3,7 @@
 #ifndef lmo_ConvexityTest_h
 #define lmo_ConvexityTest_h
 
-#include "TriangleCover.h"
+#include "TriangleGeometry.h"
 #include "TriangleTree.h"
 
 namespace lmo

@@ -11,29 +11,47 @@ namespace lmo
 {
 namespace
 {
-enum State : unsigned char
+/// Keeps what a cover says.
+void Store(const TriangleCover& cover, TriangleCover::Verdict verdict, DistanceProofs::Proof& proof,
+  Index& close)
 {
-  PROVEN,
-  REFUTED,
-  OPEN
-};
+  if (cover.GetCentre() >= 0)
+  {
+    proof.seed = cover.GetCentre();
+  }
+  if (verdict == TriangleCover::WITHIN)
+  {
+    proof.heights = cover.GetHeights();
+    proof.used = cover.GetUsed();
+  }
+  else if (verdict == TriangleCover::BEYOND)
+  {
+    close = cover.GetUsed().back();
+  }
+}
 
-/// Adds the verdicts of the convexity test on the open triangles of the list.
+/// Proves what the cover left open.
 void TestOpen(const std::vector<Index>& list, const Points& V, const SurfaceView& mesh,
   const TriangleTree& tree, double distance, std::vector<DistanceProofs::Proof>& proofs,
   Mask& states, std::vector<Index>& close)
 {
   ParallelFor(static_cast<Index>(list.size()),
-    [&](Index k)
+    [&, cover = TriangleCover()](Index k) mutable
     {
-      if (states[k] != OPEN)
+      if (states[k] != TriangleCover::UNCLEAR)
       {
         return;
       }
       DistanceProofs::Proof& proof = proofs[list[k]];
-      Nearness nearness =
-        TestConvexity(CornersOf(V, mesh.T, list[k]), tree, distance, proof.seed);
-      states[k] = nearness.isProven ? PROVEN : REFUTED;
+      const TriangleCorners corners = CornersOf(V, mesh.T, list[k]);
+      states[k] = cover.Test(corners, mesh, &tree, proof.seed, distance);
+      if (states[k] != TriangleCover::UNCLEAR)
+      {
+        Store(cover, TriangleCover::Verdict(states[k]), proof, close[k]);
+        return;
+      }
+      Nearness nearness = TestConvexity(corners, tree, distance, proof.seed);
+      states[k] = nearness.isProven ? TriangleCover::WITHIN : TriangleCover::BEYOND;
       close[k] = nearness.failure;
       if (nearness.isProven)
       {
@@ -58,38 +76,18 @@ std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Ind
   const Points& V, const SurfaceView& mesh, TriangleTree& tree, double distance)
 {
   const auto size = static_cast<Index>(list.size());
-  Mask states(size, PROVEN);
+  Mask states(size);
   std::vector<Index> close(size, -1);
-  ParallelRanges(
-    size,
-    [&](Index begin, Index end)
+  ParallelFor(size,
+    [&, cover = TriangleCover()](Index k) mutable
     {
-      TriangleCover cover;
-      for (Index k = begin; k < end; ++k)
-      {
-        Proof& proof = this->Proofs[list[k]];
-        const TriangleCover::Verdict verdict =
-          cover.Test(CornersOf(V, mesh.T, list[k]), mesh, proof.seed, distance);
-        if (cover.GetCentre() >= 0)
-        {
-          proof.seed = cover.GetCentre();
-        }
-        states[k] = verdict == TriangleCover::WITHIN   ? PROVEN
-                    : verdict == TriangleCover::BEYOND ? REFUTED
-                                                       : OPEN;
-        if (verdict == TriangleCover::WITHIN)
-        {
-          proof.heights = cover.GetHeights();
-          proof.used = cover.GetUsed();
-        }
-        else if (verdict == TriangleCover::BEYOND)
-        {
-          close[k] = cover.GetUsed().back();
-        }
-      }
-    },
-    ParallelGrain);
-  if (std::find(states.begin(), states.end(), OPEN) != states.end())
+      Proof& proof = this->Proofs[list[k]];
+      const TriangleCover::Verdict verdict =
+        cover.Test(CornersOf(V, mesh.T, list[k]), mesh, nullptr, proof.seed, distance);
+      states[k] = verdict;
+      Store(cover, verdict, proof, close[k]);
+    });
+  if (std::find(states.begin(), states.end(), TriangleCover::UNCLEAR) != states.end())
   {
     tree.Refit();
     TestOpen(list, V, mesh, tree, distance, this->Proofs, states, close);
@@ -97,7 +95,7 @@ std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Ind
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)
   {
-    if (states[k] == REFUTED)
+    if (states[k] == TriangleCover::BEYOND)
     {
       failures.push_back({ list[k], close[k] });
     }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TriangleCover.h"
 
-#include "TriangleGeometry.h"
+#include "ConvexityTest.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +16,9 @@ namespace
 /// Round-off in barycentric coordinates, and the flattest triangle for which it is that small.
 constexpr double Tolerance = 1e-9;
 constexpr double FlattestTriangle = 1e-6;
+
+/// Distances, in terms of the one allowed, at which no search for a closer triangle pays.
+constexpr double HopelessReach = 3;
 
 constexpr int LongestWalk = 32;
 constexpr std::size_t LargestCover = 64;
@@ -156,34 +159,47 @@ Index TriangleCover::FindCentre(const SurfaceView& mesh, Index seed) const
   return -1;
 }
 
-bool TriangleCover::IsWithin(
-  const SurfaceView& mesh, Index t, const ProjectedTriangle& part, double distance)
+TriangleCover::Verdict TriangleCover::TestPiece(const SurfaceView& mesh, const TriangleTree* tree,
+  Index t, const ProjectedTriangle& part, double distance)
 {
   const Piece piece = Clip(part.corners);
-  const TriangleCorners below = CornersOf(mesh.V, mesh.T, t);
+  const TriangleCorners over = CornersOf(mesh.V, mesh.T, t);
+  double reach = 0;
   for (int i = 0; i < piece.size; ++i)
   {
-    double height = piece.corners[i][2];
+    const double height = piece.corners[i][2];
+    this->Heights.Add(std::clamp(height, -distance, distance));
     if (std::abs(height) > distance)
     {
-      // The distance to t is a convex function: it is largest at a corner of the piece as well.
-      const Vector3 point = this->Origin + piece.corners[i][0] * this->AB + piece.corners[i][1] * this->AC;
-      const Vector3 closest = ClosestPointOnTriangle(point, below.row(0), below.row(1), below.row(2));
-      if ((closest - point).norm() > distance)
-      {
-        return false;
-      }
-      height = std::copysign(distance, height);
+      const Vector3 point = this->PointAt(piece.corners[i]);
+      const Vector3 closest = ClosestPointOnTriangle(point, over.row(0), over.row(1), over.row(2));
+      reach = std::max(reach, (closest - point).norm());
     }
-    this->Heights.Add(height);
   }
-  return true;
+  if (reach <= distance || reach > HopelessReach * distance || !tree)
+  {
+    return reach <= distance ? WITHIN : reach > HopelessReach * distance ? BEYOND : UNCLEAR;
+  }
+  for (int i = 2; i < piece.size; ++i)
+  {
+    TriangleCorners corners;
+    corners << this->PointAt(piece.corners[0]), this->PointAt(piece.corners[i - 1]),
+      this->PointAt(piece.corners[i]);
+    const Nearness nearness = TestConvexity(corners, *tree, distance, t);
+    if (!nearness.isProven)
+    {
+      return BEYOND;
+    }
+    this->Closer.insert(this->Closer.end(), nearness.used.begin(), nearness.used.end());
+  }
+  return WITHIN;
 }
 
-TriangleCover::Verdict TriangleCover::Test(
-  const TriangleCorners& triangle, const SurfaceView& mesh, Index seed, double distance)
+TriangleCover::Verdict TriangleCover::Test(const TriangleCorners& triangle, const SurfaceView& mesh,
+  const TriangleTree* tree, Index seed, double distance)
 {
   this->Used.clear();
+  this->Closer.clear();
   this->Heights = {};
   const Index centre = this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
   if (centre < 0)
@@ -199,10 +215,11 @@ TriangleCover::Verdict TriangleCover::Test(
     {
       return UNCLEAR;
     }
-    if (!this->IsWithin(mesh, t, part, distance))
+    const Verdict verdict = this->TestPiece(mesh, tree, t, part, distance);
+    if (verdict != WITHIN)
     {
       this->Used.push_back(t);
-      return BEYOND;
+      return verdict;
     }
     for (int k = 0; k < 3; ++k)
     {
@@ -218,6 +235,13 @@ TriangleCover::Verdict TriangleCover::Test(
           this->Used.push_back(neighbour);
         }
       }
+    }
+  }
+  for (const Index t : this->Closer)
+  {
+    if (std::find(this->Used.begin(), this->Used.end(), t) == this->Used.end())
+    {
+      this->Used.push_back(t);
     }
   }
   return WITHIN;

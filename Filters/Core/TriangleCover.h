@@ -4,6 +4,8 @@
 #define lmo_TriangleCover_h
 
 #include "TriangleNeighbours.h"
+#include "TriangleGeometry.h"
+#include "TriangleTree.h"
 
 #include <algorithm>
 
@@ -16,16 +18,6 @@ struct SurfaceView
   const Triangles& T;
   const Triangles& neighbours; ///< what FindTriangleNeighbours() returned
 };
-
-/// Corners a, b and c, one per row.
-using TriangleCorners = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-
-inline TriangleCorners CornersOf(const Points& V, const Triangles& triangles, Index t)
-{
-  TriangleCorners corners;
-  corners << V.row(triangles(t, 0)), V.row(triangles(t, 1)), V.row(triangles(t, 2));
-  return corners;
-}
 
 /// Of a mesh over a triangle, along its normal; 0 counts always.
 struct HeightRange
@@ -66,9 +58,11 @@ public:
   };
 
   /// \param mesh its triangle \a seed should be close to the centre of \a triangle
+  /// \param tree of \a mesh, in which pieces find closer triangles than the one over them; if it is
+  /// null, such pieces are UNCLEAR
   /// \param distance that is allowed
-  Verdict Test(
-    const TriangleCorners& triangle, const SurfaceView& mesh, Index seed, double distance);
+  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, const TriangleTree* tree,
+    Index seed, double distance);
 
   /// The mesh's triangle over the centre, or -1: the next seed.
   Index GetCentre() const { return this->Used.empty() ? -1 : this->Used[0]; }
@@ -96,14 +90,22 @@ private:
   /// Walks to the triangle over the centre; -1 if there is no way.
   Index FindCentre(const SurfaceView& mesh, Index seed) const;
 
-  /// True if the part of the triangle under \a t is that close to \a t.
-  bool IsWithin(const SurfaceView& mesh, Index t, const ProjectedTriangle& part, double distance);
+  /// Judges the piece of the triangle under \a t.
+  Verdict TestPiece(const SurfaceView& mesh, const TriangleTree* tree, Index t,
+    const ProjectedTriangle& part, double distance);
+
+  /// The point of the triangle with these barycentric coordinates.
+  Vector3 PointAt(const Projected& p) const
+  {
+    return this->Origin + p[0] * this->AB + p[1] * this->AC;
+  }
 
   Vector3 Origin; ///< the triangle's corner a
   Vector3 AB;
   Vector3 AC;
   Eigen::Matrix3d Frame; ///< maps an offset from Origin to Projected
   std::vector<Index> Used;
+  std::vector<Index> Closer; ///< triangles that prove a piece and are not over it
   HeightRange Heights;
 };
 }

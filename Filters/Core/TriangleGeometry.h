@@ -9,6 +9,16 @@ namespace lmo
 {
 constexpr double Pi = 3.14159265358979323846;
 
+/// Corners a, b and c, one per row.
+using TriangleCorners = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+inline TriangleCorners CornersOf(const Points& V, const Triangles& triangles, Index t)
+{
+  TriangleCorners corners;
+  corners << V.row(triangles(t, 0)), V.row(triangles(t, 1)), V.row(triangles(t, 2));
+  return corners;
+}
+
 /// Normal of triangle t, counter-clockwise, with twice the triangle's area as its length.
 Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t);
 

@@ -42,16 +42,31 @@ public:
       monitor.Report(0);
       for (int k = 0; k < 3 && this->Guard.GetAdmittedQuality()[t] < goal; ++k)
       {
-        hasMoved |= this->Improve(this->T(t, k));
+        hasMoved |= this->Improve(this->T(t, k), goal);
       }
     }
     return hasMoved;
   }
 
 private:
+  /// t of the triangles at a vertex.
+  struct Shape
+  {
+    double minimum = 1;
+    double sum = 0;
+
+    /// First the minimum up to the goal, then the sum.
+    bool IsBetter(const Shape& other, double goal) const
+    {
+      const double here = std::min(this->minimum, goal);
+      const double there = std::min(other.minimum, goal);
+      return here > there || (here == there && this->sum > other.sum);
+    }
+  };
+
   struct Proposal
   {
-    double quality;
+    Shape shape;
     Vector3 position;
   };
 
@@ -71,18 +86,20 @@ private:
     return worst;
   }
 
-  /// Minimum of t around a vertex at a position.
-  double QualityAt(Index vertex, const Vector3& position) const
+  /// With the vertex at a position.
+  Shape ShapeAt(Index vertex, const Vector3& position) const
   {
     const Points& V = this->Guard.GetAdmitted();
     const AdjacencyLists& cornersAt = this->Topology.cornersAt;
-    double minimum = 1;
+    Shape shape;
     for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
     {
-      minimum = std::min(minimum, RadiusRatio(position, V.row(this->T.data()[NextCorner(*c)]),
-                                    V.row(this->T.data()[PreviousCorner(*c)])));
+      const double t = RadiusRatio(position, V.row(this->T.data()[NextCorner(*c)]),
+        V.row(this->T.data()[PreviousCorner(*c)]));
+      shape.minimum = std::min(shape.minimum, t);
+      shape.sum += t;
     }
-    return minimum;
+    return shape;
   }
 
   double MeanEdgeLength(Index vertex) const
@@ -128,11 +145,11 @@ private:
     return directions;
   }
 
-  /// The positions around the vertex that raise t, best first.
-  std::vector<Proposal> Propose(Index vertex) const
+  /// The positions around the vertex that raise its minimum, best first.
+  std::vector<Proposal> Propose(Index vertex, double goal) const
   {
     const Vector3 here = this->Guard.GetAdmitted().row(vertex);
-    const double quality = this->QualityAt(vertex, here);
+    const double minimum = this->ShapeAt(vertex, here).minimum;
     const double unit = this->MeanEdgeLength(vertex);
     std::vector<Proposal> proposals;
     for (const Vector3& direction : this->DirectionsOf(vertex))
@@ -140,27 +157,28 @@ private:
       for (const double length : Lengths)
       {
         const Vector3 position = this->Place(vertex, here + length * unit * direction);
-        const double reached = this->QualityAt(vertex, position);
-        if (reached > quality + SmallestGain)
+        const Shape shape = this->ShapeAt(vertex, position);
+        if (shape.minimum > minimum + SmallestGain)
         {
-          proposals.push_back({ reached, position });
+          proposals.push_back({ shape, position });
         }
       }
     }
     std::stable_sort(proposals.begin(), proposals.end(),
-      [](const Proposal& a, const Proposal& b) { return a.quality > b.quality; });
+      [goal](const Proposal& a, const Proposal& b) { return a.shape.IsBetter(b.shape, goal); });
     return proposals;
   }
 
-  bool Improve(Index vertex)
+  /// Moves the vertex as long as that raises its minimum.
+  bool Improve(Index vertex, double goal)
   {
     if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
     {
       return false;
     }
-    for (int move = 0; move < MostMoves; ++move)
+    for (int move = 0; move < MostMoves && (move == 0 || this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex)).minimum < goal); ++move)
     {
-      const std::vector<Proposal> proposals = this->Propose(vertex);
+      const std::vector<Proposal> proposals = this->Propose(vertex, goal);
       const bool isAdmitted = std::any_of(proposals.begin(), proposals.end(),
         [&](const Proposal& proposal)
         { return this->Guard.TryMove(vertex, proposal.position); });
