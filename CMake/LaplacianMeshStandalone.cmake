@@ -193,6 +193,10 @@ install(
 if (BUILD_TESTING)
   add_subdirectory(Testing/Package)
   if (lmo_parallel)
+    # The processes may be more than the processors: those that wait let the others run.
+    find_package(MPI REQUIRED COMPONENTS C)
+    set(lmo_mpirun "${MPIEXEC_EXECUTABLE}" --allow-run-as-root --oversubscribe
+      --mca mpi_yield_when_idle 1)
     add_subdirectory(Testing/Parallel)
   endif ()
   if (LMO_WRAP_PYTHON)

@@ -131,7 +131,8 @@ void ListPoints(vtkPolyData* whole, PieceOfMesh& piece)
 std::vector<Index> UnusedPoints(vtkPolyData* whole)
 {
   Mask isUsed(whole->GetNumberOfPoints(), 0);
-  for (const double id : ValuesOf(whole->GetPolys()->GetConnectivityArray()).reshaped())
+  const Eigen::MatrixXd corners = ValuesOf(whole->GetPolys()->GetConnectivityArray());
+  for (const double id : corners.reshaped())
   {
     isUsed[static_cast<Index>(id)] = 1;
   }
