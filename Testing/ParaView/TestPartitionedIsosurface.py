@@ -5,6 +5,7 @@
 usage: pvbatch TestPartitionedIsosurface.py
        pvpython TestPartitionedIsosurface.py <command that starts a server, without its port>
 """
+import os
 import socket
 import subprocess
 import sys
@@ -24,15 +25,18 @@ def free_port():
 
 
 def connect(command):
-    """Starts a server and connects to it. Returns its process."""
+    """Starts a server, which ends with the client, and connects to it."""
     port = free_port()
-    server = subprocess.Popen([*command, f"--server-port={port}"])
+    # The client has its own MPI, whose variables would make the server part of it.
+    environment = {k: v for k, v in os.environ.items() if not k.startswith(("OMPI_", "PMIX_"))}
+    server = subprocess.Popen([*command, f"--server-port={port}"], env=environment)
     for _ in range(60):
         time.sleep(1)
         if is_listening(port):
-            break
-    Connect("localhost", port)
-    return server
+            Connect("localhost", port)
+            return
+    server.terminate()
+    sys.exit("The server does not listen.")
 
 
 def is_listening(port):
@@ -148,14 +152,11 @@ class Isosurface(unittest.TestCase):
 
 def main():
     command = sys.argv[1:]
-    server = connect(command) if command else None
-    LoadPlugin("LaplacianMeshOptimization", remote=bool(command), ns=globals())
     if command:
-        LoadPlugin("LaplacianMeshOptimization", remote=False, ns=globals())
+        connect(command)
+        LoadPlugin("LaplacianMeshOptimization", remote=True, ns=globals())
+    LoadPlugin("LaplacianMeshOptimization", remote=False, ns=globals())
     result = unittest.main(argv=sys.argv[:1], exit=False).result
-    if server:
-        Disconnect()
-        server.wait(timeout=30)
     if not result.wasSuccessful():
         sys.exit(1)
 
