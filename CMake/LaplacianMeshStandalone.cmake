@@ -20,6 +20,7 @@ set(CMAKE_CXX_STANDARD_REQUIRED ON)
 
 # --- VTK, or ParaView with its own -------------------------------------------------------------
 set(lmo_vtk_components CommonCore CommonDataModel CommonExecutionModel)
+set(lmo_parallel_components FiltersParallelDIY2 ParallelCore ParallelMPI)
 set(lmo_testing_components
   FiltersCore FiltersModeling FiltersSources ImagingCore IOGeometry IOPLY IOXML TestingCore)
 set(lmo_paraview_components
@@ -31,12 +32,36 @@ if (LMO_PARAVIEW)
 else ()
   find_package(VTK 9.1 REQUIRED
     COMPONENTS ${lmo_vtk_components}
-    OPTIONAL_COMPONENTS ${lmo_testing_components} Python WrappingPythonCore)
+    OPTIONAL_COMPONENTS ${lmo_testing_components} ${lmo_parallel_components} Python WrappingPythonCore)
   cmake_dependent_option(LMO_WRAP_PYTHON "Wrap the filters for Python" ON
     "TARGET VTK::WrappingPythonCore" OFF)
 endif ()
 
 include(CTest)
+
+# --- PETSc, for surfaces over several processes -------------------------------------------------
+set(LMO_USE_PETSC "AUTO" CACHE STRING
+  "Build the module for surfaces over several MPI processes: AUTO, ON or OFF")
+set_property(CACHE LMO_USE_PETSC PROPERTY STRINGS AUTO ON OFF)
+set(lmo_parallel OFF)
+if (LMO_USE_PETSC)
+  set(lmo_missing "")
+  find_package(PkgConfig QUIET)
+  if (PkgConfig_FOUND)
+    pkg_check_modules(PETSC QUIET IMPORTED_TARGET GLOBAL PETSc)
+  endif ()
+  if (NOT TARGET PkgConfig::PETSC)
+    string(APPEND lmo_missing " PETSc (pkg-config; libpetsc-real-dev)")
+  endif ()
+  if (NOT TARGET VTK::ParallelMPI OR NOT TARGET VTK::FiltersParallelDIY2)
+    string(APPEND lmo_missing " VTK or ParaView with MPI")
+  endif ()
+  if (NOT lmo_missing)
+    set(lmo_parallel ON)
+  elseif (NOT LMO_USE_PETSC STREQUAL "AUTO")
+    message(FATAL_ERROR "LMO_USE_PETSC is ON, but this was not found:${lmo_missing}")
+  endif ()
+endif ()
 
 # The build tree has the install tree's layout.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
@@ -56,14 +81,22 @@ file(CONFIGURE OUTPUT "${lmo_module_dir}/CMakeLists.txt" @ONLY CONTENT
 file(CONFIGURE OUTPUT "${lmo_module_dir}/Testing/CMakeLists.txt" @ONLY CONTENT
   "add_subdirectory([==[@PROJECT_SOURCE_DIR@/Testing]==] Testing)\n")
 
+set(lmo_module_files "${lmo_module_dir}/vtk.module")
+set(lmo_requested_modules VTK::FiltersLaplacianMesh)
+if (lmo_parallel)
+  list(APPEND lmo_module_files "${PROJECT_SOURCE_DIR}/Filters/Parallel/vtk.module")
+  list(APPEND lmo_requested_modules VTK::FiltersLaplacianMeshParallel)
+endif ()
 vtk_module_scan(
-  MODULE_FILES      "${lmo_module_dir}/vtk.module"
-  REQUEST_MODULES   VTK::FiltersLaplacianMesh
+  MODULE_FILES      ${lmo_module_files}
+  REQUEST_MODULES   ${lmo_requested_modules}
   PROVIDES_MODULES  lmo_modules
   REQUIRES_MODULES  lmo_required
   HIDE_MODULES_FROM_CACHE ON
   ENABLE_TESTS      "${BUILD_TESTING}")
 
+# Known in VTK's own build only: what the modules' headers include to register object factories.
+set_property(GLOBAL PROPERTY _vtk_module_autoinit_include "\"vtkAutoInit.h\"")
 set(lmo_cmake_destination "${CMAKE_INSTALL_LIBDIR}/cmake/LaplacianMesh")
 vtk_module_build(
   MODULES             ${lmo_modules}
@@ -96,8 +129,12 @@ if (LMO_WRAP_PYTHON)
     BUILD_STATIC        OFF
     INSTALL_HEADERS     OFF)
   set(lmo_python_init "${PROJECT_BINARY_DIR}/${LMO_PYTHON_DESTINATION}/laplacianmesh/__init__.py")
+  set(lmo_python_imports "from .vtkFiltersLaplacianMesh import *\n")
+  if (lmo_parallel)
+    string(APPEND lmo_python_imports "from .vtkFiltersLaplacianMeshParallel import *\n")
+  endif ()
   file(CONFIGURE OUTPUT "${lmo_python_init}" @ONLY CONTENT
-    "from .vtkFiltersLaplacianMesh import *\n\n__version__ = '@PROJECT_VERSION@'\n")
+    "@lmo_python_imports@\n__version__ = '@PROJECT_VERSION@'\n")
   install(FILES "${lmo_python_init}" DESTINATION "${LMO_PYTHON_DESTINATION}/laplacianmesh")
 endif ()
 
@@ -155,6 +192,13 @@ install(
 # --- Tests that need the whole build -------------------------------------------------------------
 if (BUILD_TESTING)
   add_subdirectory(Testing/Package)
+  if (lmo_parallel)
+    # The processes may be more than the processors: those that wait let the others run.
+    find_package(MPI REQUIRED COMPONENTS C)
+    set(lmo_mpirun "${MPIEXEC_EXECUTABLE}" --allow-run-as-root --oversubscribe
+      --mca mpi_yield_when_idle 1)
+    add_subdirectory(Testing/Parallel)
+  endif ()
   if (LMO_WRAP_PYTHON)
     add_subdirectory(Testing/Python)
   endif ()

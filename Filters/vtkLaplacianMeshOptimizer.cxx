@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLaplacianMeshOptimizer.h"
 
-#include "Core/Optimizer.h"
 #include "Private/FilterSupport.h"
+#include "Private/OptimizerEngine.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkCellData.h"
@@ -16,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
 #include <cstring>
@@ -47,8 +48,7 @@ void CheckNumber(const char* name, double value, bool isValid, const char* range
 }
 }
 
-/// What needs the numerics' types. The optimizer is kept for the next execution, which often
-/// differs in a property alone.
+/// What needs the numerics' types.
 struct vtkLaplacianMeshOptimizer::Internals
 {
   explicit Internals(vtkLaplacianMeshOptimizer* filter)
@@ -58,10 +58,7 @@ struct vtkLaplacianMeshOptimizer::Internals
 
   vtkLaplacianMeshOptimizer* const Filter;
 
-  vtkPolyData* Input = nullptr; ///< that Optimizer holds, to be compared only
-  vtkMTimeType InputTime = 0;
-  lmo::TriangleCells TriangleCells;
-  std::unique_ptr<lmo::Optimizer> Optimizer;
+  std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> Engine;
 
   /// \throw lmo::InputError if a property is out of range.
   lmo::OptimizerOptions ReadOptions() const;
@@ -72,10 +69,8 @@ struct vtkLaplacianMeshOptimizer::Internals
 
   lmo::VertexArrays ReadArrays(vtkPolyData* input) const;
 
-  void Execute(vtkPolyData* input, vtkPolyData* output);
-
-  /// Makes Optimizer hold the input.
-  void Prepare(vtkPolyData* input);
+  /// \param pieces in which the whole surface comes
+  void Execute(vtkPolyData* input, vtkPolyData* output, int pieces);
 
   void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
@@ -83,7 +78,7 @@ struct vtkLaplacianMeshOptimizer::Internals
   void WriteFigures(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
 };
 
-vtkStandardNewMacro(vtkLaplacianMeshOptimizer);
+vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
   : State(new Internals(this))
@@ -133,6 +128,10 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPoly
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
   // ParaView's choice of no array is the name "None".
   const bool isNamed = name && *name && std::strcmp(name, "None") != 0;
+  if (input->GetNumberOfPoints() == 0)
+  {
+    return nullptr; // an empty piece has no arrays
+  }
   if (!isNamed && !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
     return nullptr;
@@ -178,32 +177,34 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(vtkPolyData* 
   return arrays;
 }
 
-void vtkLaplacianMeshOptimizer::Internals::Prepare(vtkPolyData* input)
+std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkLaplacianMeshOptimizer::MakeEngine()
 {
-  if (this->Optimizer && this->Input == input && this->InputTime == input->GetMTime())
-  {
-    return;
-  }
-  this->Optimizer.reset();
-  lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
-  this->TriangleCells = std::move(mesh.triangleCells);
-  this->Optimizer =
-    std::make_unique<lmo::Optimizer>(std::move(mesh.points), std::move(mesh.triangles));
-  this->Input = input;
-  this->InputTime = input->GetMTime();
+  return std::make_unique<Engine>(this);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyData* output)
+void vtkLaplacianMeshOptimizer::Internals::Execute(
+  vtkPolyData* input, vtkPolyData* output, int pieces)
 {
-  lmo::OptimizerOptions options = this->ReadOptions();
+  if (!this->Engine)
+  {
+    this->Engine = this->Filter->MakeEngine();
+  }
+  this->Engine->CheckPieces(pieces);
+  lmo::OptimizerOptions options;
+  lmo::VertexArrays arrays;
+  this->Engine->Try(
+    [&]
+    {
+      options = this->ReadOptions();
+      arrays = this->ReadArrays(input);
+    });
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
   options.computeNormals = this->Filter->ComputeNormals && hasNormals;
   options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
-  const lmo::VertexArrays arrays = this->ReadArrays(input);
-  lmo::FilterMonitor monitor(this->Filter);
-  monitor.Begin("Reading the mesh");
-  this->Prepare(input);
-  lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
+  const std::unique_ptr<lmo::Monitor> monitor = this->Engine->MakeMonitor();
+  monitor->Begin("Reading the mesh");
+  this->Engine->SetInput(input);
+  lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,
@@ -211,7 +212,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
-  monitor.Begin("Writing the result");
+  monitor->Begin("Writing the result");
   output->ShallowCopy(input);
   this->WriteFigures(result, output->GetFieldData());
   this->WritePoints(std::move(result), input, output);
@@ -233,8 +234,9 @@ void vtkLaplacianMeshOptimizer::Internals::WritePoints(
   {
     pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
   }
-  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, this->TriangleCells, output);
-  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, this->TriangleCells, output);
+  const lmo::TriangleCells& cells = this->Engine->GetTriangleCells();
+  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, cells, output);
+  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, output);
 }
 
 void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
@@ -275,7 +277,12 @@ int vtkLaplacianMeshOptimizer::RequestData(
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, input, output, [&] { this->State->Execute(input, output); });
+  using Pipeline = vtkStreamingDemandDrivenPipeline;
+  vtkInformation* request = outputVector->GetInformationObject(0);
+  const int pieces = request->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())
+                       ? request->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
+                       : 1;
+  return lmo::RunFilter(this, input, output, [&] { this->State->Execute(input, output, pieces); });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

@@ -23,7 +23,9 @@
  * Input: triangles and triangle strips; vertices and lines pass through and their points do not
  * move unless a triangle uses them too. Polygons with more corners are an error: use
  * vtkTriangleFilter first. Points with float coordinates give float coordinates, all others double.
- * A composite data set is treated block by block, each with statistics of its own.
+ * A composite data set is treated block by block, each with statistics of its own. A surface in
+ * pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the program
+ * has the module VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
@@ -306,6 +308,10 @@ protected:
   ~vtkLaplacianMeshOptimizer() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// What the input is optimized by, made before the first execution.
+  class Engine;
+  virtual std::unique_ptr<Engine> MakeEngine();
 
   int Mode = OPTIMIZE_TRIANGLES;
   int LaplacianType = UNIFORM;

@@ -124,12 +124,17 @@ SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseM
 }
 }
 
-Points SolveDirectly(const LeastSquaresProblem& problem)
+SparseMatrix NormalMatrix(const LeastSquaresProblem& problem)
 {
   SparseMatrix A = FormMatrix(problem);
   EliminateFixed(problem.motion, A);
+  return problem.IsCoupled() ? FormCoupledMatrix(problem, A) : A;
+}
+
+Points SolveDirectly(const LeastSquaresProblem& problem)
+{
   const bool isCoupled = problem.IsCoupled();
-  const Factorisation factorisation(isCoupled ? FormCoupledMatrix(problem, A) : A);
+  const Factorisation factorisation(NormalMatrix(problem));
   if (factorisation.info() != Eigen::Success)
   {
     ThrowSingular();

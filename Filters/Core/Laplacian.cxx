@@ -112,25 +112,18 @@ Laplacian MeanCurvatureLaplacian(std::shared_ptr<const AdjacencyLists> oneRings,
     (voronoiAreas.array() > 0).select(1 / (4 * voronoiAreas.array()), 0.0) };
 }
 
-double SquaredLengthScale(const Laplacian& meanCurvatureLaplacian)
+double SquaredLengthScale(const Laplacian& meanCurvatureLaplacian, const Subdomain& subdomain)
 {
   std::vector<double> scales;
   for (Index i = 0; i < RowCount(*meanCurvatureLaplacian.rings); ++i)
   {
     const double weightSum = WeightSum(meanCurvatureLaplacian, i);
-    if (meanCurvatureLaplacian.rowScale[i] > 0 && weightSum > 0)
+    if (subdomain.OwnsVertex(i) && meanCurvatureLaplacian.rowScale[i] > 0 && weightSum > 0)
     {
       scales.push_back(1 / (meanCurvatureLaplacian.rowScale[i] * weightSum));
     }
   }
-  if (scales.empty())
-  {
-    return 0;
-  }
-  const auto upper = scales.begin() + scales.size() / 2;
-  std::nth_element(scales.begin(), upper, scales.end());
-  const double lower = scales.size() % 2 ? *upper : *std::max_element(scales.begin(), upper);
-  return (lower + *upper) / 2;
+  return subdomain.Quantile(std::move(scales), 0.5);
 }
 
 double WeightSum(const Laplacian& L, Index i)

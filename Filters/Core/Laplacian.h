@@ -3,7 +3,7 @@
 #ifndef lmo_Laplacian_h
 #define lmo_Laplacian_h
 
-#include "MeshTopology.h"
+#include "Subdomain.h"
 
 #include <memory>
 
@@ -37,7 +37,8 @@ Laplacian MeanCurvatureLaplacian(std::shared_ptr<const AdjacencyLists> oneRings,
 
 /// Square of a length that makes L_ck comparable to L_c: median over the vertices of
 /// 4 A_i / sum_j omega_ij, taken where both are positive; 0 if there are none.
-double SquaredLengthScale(const Laplacian& meanCurvatureLaplacian);
+double SquaredLengthScale(
+  const Laplacian& meanCurvatureLaplacian, const Subdomain& subdomain = Subdomain());
 
 /// Row i of K x with K = E - S: the sum over the one-ring of omega_ij (x_i - x_j). Differences are
 /// taken before they are summed, so that the distance of the mesh from the origin does no harm.

@@ -13,6 +13,18 @@ namespace lmo
 {
 namespace
 {
+/// Bounding box over the processes.
+Eigen::AlignedBox3d Unite(const Eigen::AlignedBox3d& box, const Subdomain& subdomain)
+{
+  Eigen::AlignedBox3d united;
+  for (int c = 0; c < 3; ++c)
+  {
+    united.min()[c] = -subdomain.Maximum(-box.min()[c]);
+    united.max()[c] = subdomain.Maximum(box.max()[c]);
+  }
+  return united;
+}
+
 /// The longest edge at vertex i, squared.
 double LongestSquaredEdge(const AdjacencyLists& oneRings, const Points& V, Index i)
 {
@@ -44,12 +56,14 @@ Points ComputeDetailTarget(const Laplacian& uniform, const Laplacian& cotangent,
 }
 }
 
-MeshAnalysis::MeshAnalysis(Points V, Triangles triangles)
+MeshAnalysis::MeshAnalysis(
+  Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain)
   : V(std::move(V))
   , T(std::move(triangles))
   , Topology(
       std::make_shared<MeshTopology>(BuildTopology(static_cast<Index>(this->V.rows()), this->T)))
-  , Diagonal(BoundingBoxDiagonal(this->V, *this->Topology))
+  , Domain(std::move(subdomain))
+  , Box(Unite(BoundingBox(this->V, *this->Topology), *this->Domain))
 {
 }
 
@@ -97,6 +111,17 @@ void MeshAnalysis::ReleaseIntermediateParts(LaplacianType type)
   }
 }
 
+bool MeshAnalysis::HasBoundary()
+{
+  return this->Get(this->Boundary,
+    [&]
+    {
+      const Mask isBoundary = this->Domain->OwnedOf(this->Topology->isBoundary);
+      const bool isHere = std::find(isBoundary.begin(), isBoundary.end(), 1) != isBoundary.end();
+      return this->Domain->Maximum(isHere) > 0;
+    });
+}
+
 const Vector& MeshAnalysis::GetVoronoiAreas()
 {
   this->ComputeCotangentParts();
@@ -124,27 +149,39 @@ const Points& MeshAnalysis::GetMeanCurvatureNormals()
   return this->Get(this->CurvatureNormals,
     [&]
     {
-      return MeanCurvatureNormals(
+      Points normals = MeanCurvatureNormals(
         this->GetLaplacian(LaplacianType::MEAN_CURVATURE), this->V, *this->Topology);
+      this->Domain->UpdateCopies(normals);
+      return normals;
     });
 }
 
 const Vector& MeshAnalysis::GetMeanCurvatures()
 {
-  return this->Get(this->Curvatures, [&]
-    { return MeanCurvatures(this->GetMeanCurvatureNormals(), this->Diagonal, *this->Topology); });
+  return this->Get(this->Curvatures,
+    [&]
+    {
+      Vector curvatures =
+        MeanCurvatures(this->GetMeanCurvatureNormals(), this->GetDiagonal(), *this->Topology);
+      this->Domain->UpdateCopies(curvatures);
+      return curvatures;
+    });
 }
 
 const CurvatureStatistics& MeshAnalysis::GetStatistics()
 {
   return this->Get(this->Statistics,
-    [&] { return ComputeStatistics(this->GetMeanCurvatures(), this->Topology->isUsed); });
+    [&] {
+      return ComputeStatistics(this->GetMeanCurvatures(), this->Topology->isUsed, *this->Domain);
+    });
 }
 
 const Vector& MeshAnalysis::GetCumulativeWeights()
 {
   return this->Get(this->Cumulative,
-    [&] { return CumulativeWeights(this->GetMeanCurvatures(), this->Topology->isUsed); });
+    [&] {
+      return CumulativeWeights(this->GetMeanCurvatures(), this->Topology->isUsed, *this->Domain);
+    });
 }
 
 std::shared_ptr<const Points> MeshAnalysis::GetDetailTarget()
@@ -161,7 +198,9 @@ std::shared_ptr<const Points> MeshAnalysis::GetDetailTarget()
 std::shared_ptr<const MeshQuality> MeshAnalysis::GetQuality()
 {
   return this->Get(this->Quality,
-    [&] { return std::make_shared<const MeshQuality>(MeasureQuality(this->V, this->T)); });
+    [&] {
+      return std::make_shared<const MeshQuality>(MeasureQuality(this->V, this->T, *this->Domain));
+    });
 }
 
 const std::vector<Index>& MeshAnalysis::GetComponents()

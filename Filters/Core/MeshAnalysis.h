@@ -5,7 +5,10 @@
 
 #include "Laplacian.h"
 #include "Quality.h"
+#include "Subdomain.h"
 #include "Weights.h"
+
+#include <Eigen/Geometry>
 
 #include <optional>
 
@@ -25,14 +28,27 @@ class MeshAnalysis
 {
 public:
   /// \param triangles ids below the number of rows of \a V
-  MeshAnalysis(Points V, Triangles triangles);
+  /// \param subdomain what part of the whole mesh this is
+  MeshAnalysis(Points V, Triangles triangles,
+    std::shared_ptr<const Subdomain> subdomain = std::make_shared<Subdomain>());
   MeshAnalysis(const MeshAnalysis&) = delete;
   void operator=(const MeshAnalysis&) = delete;
 
   const Points& GetPoints() const { return this->V; }
   const Triangles& GetTriangles() const { return this->T; }
   const MeshTopology& GetTopology() const { return *this->Topology; }
-  double GetDiagonal() const { return this->Diagonal; }
+  const Subdomain& GetSubdomain() const { return *this->Domain; }
+
+  /// Bounding box of the vertices that a triangle uses, and its diagonal; as all that is no list,
+  /// of the whole mesh.
+  const Eigen::AlignedBox3d& GetBox() const { return this->Box; }
+  double GetDiagonal() const { return this->Box.isEmpty() ? 0 : this->Box.diagonal().norm(); }
+
+  /// An edge has exactly one triangle.
+  bool HasBoundary();
+
+  /// At least one triangle, and no boundary.
+  bool IsClosed() { return !this->Box.isEmpty() && !this->HasBoundary(); }
 
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
@@ -78,10 +94,12 @@ private:
   const Points V;
   const Triangles T;
   const std::shared_ptr<const MeshTopology> Topology;
-  const double Diagonal;
+  const std::shared_ptr<const Subdomain> Domain;
+  const Eigen::AlignedBox3d Box;
   int NumberOfParts = 1;
   std::shared_ptr<const Vector> EdgeWeights;
   Vector VoronoiAreas;
+  std::optional<bool> Boundary;
   std::optional<Laplacian> Laplacians[3];
   std::optional<Points> CurvatureNormals;
   std::optional<Vector> Curvatures;

@@ -30,14 +30,15 @@ void Restore(const std::vector<Index>& oldNumbers, Values& values)
 
 /// Sets V' and V' - V.
 void Move(const Points& V, const Points& d, const OptimizerOptions& options,
-  const std::optional<FeatureLines>& boundary, OptimizerResult& result)
+  const std::optional<FeatureLines>& boundary, const Subdomain& subdomain, OptimizerResult& result)
 {
   result.positions.resize(V.rows(), 3);
   const auto size = static_cast<Index>(V.rows());
   ParallelFor(size, [&](Index i) { result.positions.row(i) = V.row(i) + d.row(i); });
   if (boundary)
   {
-    ProjectOntoLines(*boundary, V, result.positions);
+    subdomain.ProjectOntoLines(*boundary, V, result.positions);
+    subdomain.UpdateCopies(result.positions);
   }
   result.displacements.resize(V.rows(), 3);
   ParallelFor(size,
@@ -55,6 +56,8 @@ void Move(const Points& V, const Points& d, const OptimizerOptions& options,
 }
 
 Optimizer::Optimizer(Points V, Triangles triangles)
+  : Solver([this](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
+             Monitor& monitor) { return Solve(problem, type, options, monitor, this->Inverses); })
 {
   if (IsScattered(triangles))
   {
@@ -63,6 +66,13 @@ Optimizer::Optimizer(Points V, Triangles triangles)
     triangles = Renumber(this->Order, triangles);
   }
   this->Mesh = std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles));
+}
+
+Optimizer::Optimizer(
+  Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain, ProblemSolver solver)
+  : Mesh(std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles), std::move(subdomain)))
+  , Solver(std::move(solver))
+{
 }
 
 OptimizerResult Optimizer::Run(
@@ -103,12 +113,11 @@ OptimizerResult Optimizer::RunInOrder(
   const std::optional<FeatureLines> boundary = SlidingBoundary(mesh, options.boundaryCondition);
   LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, boundary);
   monitor.Begin("Solving");
-  const Solution solution =
-    Solve(problem, options.solverType, options.solver, monitor, this->Inverses);
+  const Solution solution = this->Solver(problem, options.solverType, options.solver, monitor);
 
   monitor.Begin("Comparing the surfaces");
   OptimizerResult result;
-  Move(V, solution.displacement, options, boundary, result);
+  Move(V, solution.displacement, options, boundary, mesh.GetSubdomain(), result);
   result.meanCurvatures = mesh.GetMeanCurvatures();
   result.positionWeights = std::move(problem.positionWeights);
   result.laplacianWeights = std::move(problem.laplacianWeights);
@@ -120,7 +129,7 @@ OptimizerResult Optimizer::RunInOrder(
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());
   }
   result.comparison = CompareSurfaces(
-    V, result.positions, T, mesh.GetQuality(), mesh.GetDiagonal(), mesh.GetTopology().IsClosed());
+    V, result.positions, T, mesh.GetQuality(), mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
   return result;
 }
 }

@@ -8,6 +8,8 @@
 #include "SurfaceComparison.h"
 #include "VertexOrder.h"
 
+#include <functional>
+
 namespace lmo
 {
 struct OptimizerResult
@@ -23,6 +25,10 @@ struct OptimizerResult
   double relativeResidual = 0;
 };
 
+/// Solves a problem as Solve() does.
+using ProblemSolver =
+  std::function<Solution(const LeastSquaresProblem&, SolverType, const SolverOptions&, Monitor&)>;
+
 /// Laplacian mesh optimization of one mesh, any number of times: what depends on the mesh alone is
 /// computed once, when it is first needed.
 class Optimizer
@@ -30,6 +36,15 @@ class Optimizer
 public:
   /// \param triangles ids below the number of rows of \a V
   Optimizer(Points V, Triangles triangles);
+
+  /// For a part of a mesh that is distributed over processes. Results are right where the vertex is
+  /// owned, figures are those of the whole mesh.
+  /// \param solver in the place of Solve(); its displacements are right at all vertices
+  Optimizer(Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain,
+    ProblemSolver solver);
+
+  Optimizer(const Optimizer&) = delete;
+  void operator=(const Optimizer&) = delete;
 
   /// Moves the vertices to the solution of Eqn. 11.
   /// \throw InputError if an array that the options need is missing.
@@ -49,6 +64,7 @@ private:
   MeshOrder Order;
   std::unique_ptr<MeshAnalysis> Mesh;
   InverseCache Inverses;
+  ProblemSolver Solver;
 };
 
 /// Optimizer::Run() for a mesh that is used once.

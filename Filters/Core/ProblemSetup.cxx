@@ -71,7 +71,7 @@ Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
   Laplacian L = mesh.GetLaplacian(type);
   if (type == LaplacianType::MEAN_CURVATURE)
   {
-    L.rowScale *= SquaredLengthScale(L);
+    L.rowScale *= SquaredLengthScale(L, mesh.GetSubdomain());
   }
   const MeshTopology& topology = mesh.GetTopology();
   if (options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty())
@@ -149,13 +149,13 @@ Vector PositionWeights(
   {
     weights.array() *= mesh.GetQuality()->vertices.array().cwiseMax(0);
   }
-  const bool isLoose =
-    ParallelSum(topology.vertices, Index(0),
-      [&](Index& loose, Index i) { loose += topology.isUsed[i] && weights[i] <= 0; }) > 0;
-  if (isLoose)
+  const Index loose = ParallelSum(topology.vertices, Index(0),
+    [&](Index& count, Index i) { count += topology.isUsed[i] && weights[i] <= 0; });
+  if (mesh.GetSubdomain().Maximum(loose) > 0)
   {
     HoldLooseComponents(mesh.GetComponents(),
-      FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights);
+      FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights,
+      mesh.GetSubdomain());
   }
   return weights;
 }
@@ -179,15 +179,14 @@ Vector LaplacianWeights(
   }
 }
 
-std::optional<FeatureLines> SlidingBoundary(
-  const MeshAnalysis& mesh, BoundaryCondition boundaryCondition)
+std::optional<FeatureLines> SlidingBoundary(MeshAnalysis& mesh, BoundaryCondition boundaryCondition)
 {
-  const MeshTopology& topology = mesh.GetTopology();
-  if (boundaryCondition != BoundaryCondition::SLIDING || topology.boundaryEdges.ids.empty())
+  if (boundaryCondition != BoundaryCondition::SLIDING || !mesh.HasBoundary())
   {
     return std::nullopt;
   }
-  return ClassifyLines(std::make_shared<AdjacencyLists>(topology.boundaryEdges), mesh.GetPoints());
+  return ClassifyLines(
+    std::make_shared<AdjacencyLists>(mesh.GetTopology().boundaryEdges), mesh.GetPoints());
 }
 
 LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& options,

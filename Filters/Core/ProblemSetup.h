@@ -21,7 +21,7 @@ Vector LaplacianWeights(
 
 /// The boundary curves, if vertices are to slide along them.
 std::optional<FeatureLines> SlidingBoundary(
-  const MeshAnalysis& mesh, BoundaryCondition boundaryCondition);
+  MeshAnalysis& mesh, BoundaryCondition boundaryCondition);
 
 /// Eqn. 11 for the options.
 /// \param boundary what SlidingBoundary() returned

@@ -61,30 +61,38 @@ Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangle
   return minimum;
 }
 
-MeshQuality MeasureQuality(const Points& V, const Triangles& triangles)
+MeshQuality MeasureQuality(const Points& V, const Triangles& triangles, const Subdomain& subdomain)
 {
   MeshQuality quality;
   quality.triangles = RadiusRatios(V, triangles);
   quality.vertices = MinimumAtVertices(quality.triangles, triangles, static_cast<Index>(V.rows()));
-  const auto count = static_cast<Index>(triangles.rows());
+  struct Summary
+  {
+    Index count = 0;
+    double sum = 0;
+    double minimum = 1;
+    void operator+=(const Summary& other)
+    {
+      this->count += other.count;
+      this->sum += other.sum;
+      this->minimum = std::min(this->minimum, other.minimum);
+    }
+  };
+  const Summary summary = ParallelSum(static_cast<Index>(triangles.rows()), Summary(),
+    [&](Summary& partial, Index t)
+    {
+      if (subdomain.OwnsTriangle(t))
+      {
+        partial += { 1, quality.triangles[t], quality.triangles[t] };
+      }
+    });
+  const double count = subdomain.Sum(summary.count);
+  const double sum = subdomain.Sum(summary.sum);
+  const double minimum = -subdomain.Maximum(-summary.minimum);
   if (count > 0)
   {
-    struct Summary
-    {
-      double sum = 0;
-      double minimum = 1;
-      void operator+=(const Summary& other)
-      {
-        this->sum += other.sum;
-        this->minimum = std::min(this->minimum, other.minimum);
-      }
-    };
-    const Summary summary = ParallelSum(count, Summary(),
-      [&](Summary& partial, Index t) {
-        partial += { quality.triangles[t], quality.triangles[t] };
-      });
-    quality.mean = summary.sum / count;
-    quality.minimum = summary.minimum;
+    quality.mean = sum / count;
+    quality.minimum = minimum;
   }
   return quality;
 }

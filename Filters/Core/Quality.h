@@ -3,7 +3,7 @@
 #ifndef lmo_Quality_h
 #define lmo_Quality_h
 
-#include "MeshTopology.h"
+#include "Subdomain.h"
 
 namespace lmo
 {
@@ -30,7 +30,9 @@ struct MeshQuality
   double minimum = UndefinedQuality; ///< t_min of Fig. 5
 };
 
-MeshQuality MeasureQuality(const Points& V, const Triangles& triangles);
+/// The mean and the minimum are those of the whole mesh of which this is a part.
+MeshQuality MeasureQuality(
+  const Points& V, const Triangles& triangles, const Subdomain& subdomain = Subdomain());
 }
 
 #endif

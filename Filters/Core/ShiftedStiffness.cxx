@@ -26,7 +26,7 @@ ShiftedStiffness::ShiftedStiffness(
 {
   Vector Q(problem.Size());
   ParallelFor(problem.Size(), [&](Index i) { Q[i] = RowWeight(problem, i); });
-  const double smallestQ = SmallestRelativeQ * Q.maxCoeff();
+  const double smallestQ = SmallestRelativeQ * (Q.size() > 0 ? Q.maxCoeff() : 1);
   ParallelFor(problem.Size(),
     [&](Index i)
     {

@@ -5,6 +5,8 @@
 
 #include "Quality.h"
 
+#include <Eigen/Geometry>
+
 #include <memory>
 
 namespace lmo
@@ -17,14 +19,15 @@ struct SurfaceComparison
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
   double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
-  Index flippedTriangles = 0;             ///< normal turned by more than a right angle
+  std::int64_t flippedTriangles = 0;      ///< normal turned by more than a right angle
 };
 
 /// \param quality of \a before
-/// \param diagonal of the bounding box of \a before
+/// \param box of \a before
+/// \param isClosed the whole surface, of which this may be a part
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality, double diagonal,
-  bool isClosed);
+  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality,
+  const Eigen::AlignedBox3d& box, bool isClosed, const Subdomain& subdomain);
 }
 
 #endif

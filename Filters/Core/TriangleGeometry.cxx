@@ -4,8 +4,6 @@
 
 #include "Parallel.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -177,6 +175,14 @@ Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopo
   return normals;
 }
 
+double VolumeTo(const Vector3& point, const Points& V, const Triangles& triangles, Index t)
+{
+  const Vector3 a = V.row(triangles(t, 0)) - point;
+  const Vector3 b = V.row(triangles(t, 1)) - point;
+  const Vector3 c = V.row(triangles(t, 2)) - point;
+  return a.dot(b.cross(c)) / 6;
+}
+
 double EnclosedVolume(const Points& V, const Triangles& triangles)
 {
   if (triangles.rows() == 0)
@@ -185,19 +191,12 @@ double EnclosedVolume(const Points& V, const Triangles& triangles)
   }
   const Vector3 origin = V.row(triangles(0, 0));
   return ParallelSum(static_cast<Index>(triangles.rows()), 0.0,
-           [&](double& sum, Index t)
-           {
-             const Vector3 a = V.row(triangles(t, 0)) - origin;
-             const Vector3 b = V.row(triangles(t, 1)) - origin;
-             const Vector3 c = V.row(triangles(t, 2)) - origin;
-             sum += a.dot(b.cross(c));
-           }) /
-         6;
+    [&](double& sum, Index t) { sum += VolumeTo(origin, V, triangles, t); });
 }
 
-double BoundingBoxDiagonal(const Points& V, const MeshTopology& topology)
+Eigen::AlignedBox3d BoundingBox(const Points& V, const MeshTopology& topology)
 {
-  Eigen::AlignedBox<double, 3> box;
+  Eigen::AlignedBox3d box;
   for (Index i = 0; i < topology.vertices; ++i)
   {
     if (topology.isUsed[i])
@@ -205,6 +204,12 @@ double BoundingBoxDiagonal(const Points& V, const MeshTopology& topology)
       box.extend(V.row(i).transpose());
     }
   }
+  return box;
+}
+
+double BoundingBoxDiagonal(const Points& V, const MeshTopology& topology)
+{
+  const Eigen::AlignedBox3d box = BoundingBox(V, topology);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 }

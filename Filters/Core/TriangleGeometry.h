@@ -5,6 +5,8 @@
 
 #include "MeshTopology.h"
 
+#include <Eigen/Geometry>
+
 namespace lmo
 {
 constexpr double Pi = 3.14159265358979323846;
@@ -41,11 +43,18 @@ Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopol
 /// Unit mean of the normals of the triangles at each vertex, weighted by area; 0 where undefined.
 Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
-/// Volume enclosed by a closed surface; positive if its triangles are counter-clockwise seen from
+/// Signed volume of the tetrahedron between a point and triangle t. The sum over a closed surface
+/// is the volume that it encloses, positive if its triangles are counter-clockwise seen from
 /// outside.
+double VolumeTo(const Vector3& point, const Points& V, const Triangles& triangles, Index t);
+
+/// Volume enclosed by a closed surface.
 double EnclosedVolume(const Points& V, const Triangles& triangles);
 
-/// Diagonal of the axis-aligned bounding box of the vertices that a triangle uses.
+/// Axis-aligned bounding box of the vertices that a triangle uses.
+Eigen::AlignedBox3d BoundingBox(const Points& V, const MeshTopology& topology);
+
+/// Diagonal of BoundingBox(); 0 if it is empty.
 double BoundingBoxDiagonal(const Points& V, const MeshTopology& topology);
 }
 

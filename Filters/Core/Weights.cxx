@@ -2,99 +2,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Weights.h"
 
-#include "Parallel.h"
-
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <cstring>
-#include <numeric>
 
 namespace lmo
 {
-namespace
-{
-/// A value >= 0 and the vertex that has it.
-struct RankedValue
-{
-  double value;
-  Index vertex;
-  bool operator<(const RankedValue& other) const { return this->value < other.value; }
-};
-
-/// Maps values >= 0 to buckets in their order: by the leading bits of the values as floats, which
-/// is faster than to sort one long list.
-class Buckets
-{
-public:
-  /// About half as many buckets as values.
-  explicit Buckets(const Vector& values)
-    : Lowest(Bits(values.minCoeff()))
-  {
-    const std::uint32_t range = Bits(values.maxCoeff()) - this->Lowest;
-    while ((range >> this->Shift) > static_cast<std::uint32_t>(values.size()) / 2)
-    {
-      ++this->Shift;
-    }
-    this->Count = static_cast<Index>(range >> this->Shift) + 1;
-  }
-
-  Index GetCount() const { return this->Count; }
-  Index operator()(double value) const
-  {
-    return static_cast<Index>((Bits(value) - this->Lowest) >> this->Shift);
-  }
-
-private:
-  static std::uint32_t Bits(double value)
-  {
-    const auto rounded = static_cast<float>(value);
-    std::uint32_t bits = 0;
-    static_assert(sizeof(bits) == sizeof(rounded));
-    std::memcpy(&bits, &rounded, sizeof(bits));
-    return bits;
-  }
-
-  std::uint32_t Lowest;
-  int Shift = 0;
-  Index Count = 0;
-};
-}
-
-double Quantile(std::vector<double> values, double q)
-{
-  if (values.empty())
-  {
-    return 0;
-  }
-  const double place = q * double(values.size() - 1);
-  const auto below = values.begin() + static_cast<std::ptrdiff_t>(place);
-  std::nth_element(values.begin(), below, values.end());
-  const auto above = std::min_element(below + 1, values.end());
-  return above == values.end() ? *below : *below + (place - std::floor(place)) * (*above - *below);
-}
-
-CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed)
+CurvatureStatistics ComputeStatistics(
+  const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain)
 {
   std::vector<double> values;
   values.reserve(curvatures.size());
   for (Eigen::Index i = 0; i < curvatures.size(); ++i)
   {
-    if (isUsed[i])
+    if (isUsed[i] && subdomain.OwnsVertex(static_cast<Index>(i)))
     {
       values.push_back(curvatures[i]);
     }
   }
   CurvatureStatistics statistics;
-  if (!values.empty())
+  if (subdomain.Sum(double(values.size())) == 0)
   {
-    const auto [minimum, maximum] = std::minmax_element(values.begin(), values.end());
-    statistics.minimum = *minimum;
-    statistics.maximum = *maximum;
-    const double firstQuartile = Quantile(values, 0.25);
-    const double thirdQuartile = Quantile(std::move(values), 0.75);
-    statistics.threshold = thirdQuartile + 1.5 * (thirdQuartile - firstQuartile);
+    return statistics;
   }
+  double minimum = HUGE_VAL;
+  for (const double value : values)
+  {
+    minimum = std::min(minimum, value);
+    statistics.maximum = std::max(statistics.maximum, value);
+  }
+  statistics.minimum = -subdomain.Maximum(-minimum);
+  statistics.maximum = subdomain.Maximum(statistics.maximum);
+  const double firstQuartile = subdomain.Quantile(values, 0.25);
+  const double thirdQuartile = subdomain.Quantile(std::move(values), 0.75);
+  statistics.threshold = thirdQuartile + 1.5 * (thirdQuartile - firstQuartile);
   return statistics;
 }
 
@@ -112,55 +52,9 @@ Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statis
   return ((curvatures.array() - statistics.minimum) / range).cwiseMax(0).cwiseMin(1);
 }
 
-Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed)
+Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain)
 {
-  const auto size = static_cast<Index>(curvatures.size());
-  Vector weights = Vector::Zero(size);
-  if (size == 0)
-  {
-    return weights;
-  }
-  const Buckets bucketOf(curvatures);
-  std::vector<Index> offsets(bucketOf.GetCount() + 1, 0);
-  for (Index i = 0; i < size; ++i)
-  {
-    offsets[bucketOf(curvatures[i]) + 1] += isUsed[i];
-  }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  std::vector<RankedValue> ranking(offsets.back());
-  std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-  for (Index i = 0; i < size; ++i)
-  {
-    if (isUsed[i])
-    {
-      ranking[next[bucketOf(curvatures[i])]++] = { curvatures[i], i };
-    }
-  }
-  const auto share = [&](std::vector<RankedValue>::iterator above)
-  { return double(above - ranking.begin()) / double(std::max<std::size_t>(ranking.size(), 1)); };
-  ParallelFor(bucketOf.GetCount(),
-    [&](Index bucket)
-    {
-      const auto end = ranking.begin() + offsets[bucket + 1];
-      std::sort(ranking.begin() + offsets[bucket], end);
-      for (auto first = ranking.begin() + offsets[bucket]; first != end;)
-      {
-        const auto above = std::upper_bound(first, end, *first);
-        std::for_each(
-          first, above, [&](const RankedValue& tie) { weights[tie.vertex] = share(above); });
-        first = above;
-      }
-    });
-  for (Index i = 0; i < size; ++i)
-  {
-    if (!isUsed[i])
-    {
-      const Index bucket = bucketOf(curvatures[i]);
-      weights[i] = share(std::upper_bound(ranking.begin() + offsets[bucket],
-        ranking.begin() + offsets[bucket + 1], RankedValue{ curvatures[i], i }));
-    }
-  }
-  return weights;
+  return subdomain.CumulativeShares(curvatures, subdomain.OwnedOf(isUsed));
 }
 
 Vector ComplementWeights(const Vector& weights)
@@ -182,14 +76,16 @@ Vector AnchorWeights(const Vector& tags)
   return (tags.array() != 0).cast<double>();
 }
 
-void HoldLooseComponents(
-  const std::vector<Index>& component, const Mask& isFixed, double weight, Vector& positionWeights)
+void HoldLooseComponents(const std::vector<Index>& component, const Mask& isFixed, double weight,
+  Vector& positionWeights, const Subdomain& subdomain)
 {
   Mask isHeld(component.size(), 0);
   for (std::size_t i = 0; i < component.size(); ++i)
   {
-    isHeld[component[i]] |= isFixed[i] || positionWeights[i] > 0;
+    isHeld[component[i]] |=
+      subdomain.OwnsVertex(static_cast<Index>(i)) && (isFixed[i] || positionWeights[i] > 0);
   }
+  subdomain.UniteFlags(component, isHeld);
   for (std::size_t i = 0; i < component.size(); ++i)
   {
     if (!isHeld[component[i]])

@@ -3,7 +3,7 @@
 #ifndef lmo_Weights_h
 #define lmo_Weights_h
 
-#include "Types.h"
+#include "Subdomain.h"
 
 namespace lmo
 {
@@ -15,13 +15,10 @@ struct CurvatureStatistics
   double threshold = 0; ///< kappa_tau = Q3 + 1.5 (Q3 - Q1), the box-plot test (Tukey 1977)
 };
 
-/// Value below which the share \a q, 0 to 1, of the values lies: linear between neighbouring order
-/// statistics; 0 if there are no values.
-double Quantile(std::vector<double> values, double q);
-
 /// \param curvatures kappa >= 0, one per vertex
 /// \param isUsed the vertices that count
-CurvatureStatistics ComputeStatistics(const Vector& curvatures, const Mask& isUsed);
+CurvatureStatistics ComputeStatistics(
+  const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain = Subdomain());
 
 /// Section 5: W_linear / s. Maps [kappa_min, min(kappa_max, kappa_tau)] linearly to [0, 1] and
 /// clamps. If that interval is empty because most vertices have the least curvature, as on a CAD
@@ -30,7 +27,8 @@ Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statis
 
 /// Eqn. 13: C(kappa), the share of the vertices that count whose curvature is at most kappa, in
 /// [0, 1]; more than 0 at vertices that count.
-Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed);
+Vector CumulativeWeights(
+  const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain = Subdomain());
 
 /// Section 5.3: 1 - weights. With linear weights this is W_L = (s I - W_linear) / s.
 Vector ComplementWeights(const Vector& weights);
@@ -45,8 +43,8 @@ Vector AnchorWeights(const Vector& tags);
 /// Gives \a weight to every vertex of a component in which no vertex is fixed and no weight is
 /// positive: nothing else would hold it in space.
 /// \param component connected component of each vertex
-void HoldLooseComponents(
-  const std::vector<Index>& component, const Mask& isFixed, double weight, Vector& positionWeights);
+void HoldLooseComponents(const std::vector<Index>& component, const Mask& isFixed, double weight,
+  Vector& positionWeights, const Subdomain& subdomain = Subdomain());
 }
 
 #endif

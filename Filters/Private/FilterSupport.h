@@ -61,8 +61,15 @@ private:
   double Shown = -1;
 };
 
+/// True if the user chose a backend of vtkSMPTools; VTK's default is often the sequential one.
+inline bool IsBackendChosen()
+{
+  return std::getenv("VTK_SMP_BACKEND_IN_USE") ||
+         std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
+}
+
 /// Calls body() with the threads that vtkSMPTools provides: as the user chose, otherwise one for
-/// each processor; VTK's default backend is often the sequential one.
+/// each processor.
 template <typename Body>
 void RunOnThreads(const Body& body)
 {
@@ -76,9 +83,7 @@ void RunOnThreads(const Body& body)
     }
     body();
   };
-  const bool isChosen = std::getenv("VTK_SMP_BACKEND_IN_USE") ||
-                        std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
-  if (isChosen)
+  if (IsBackendChosen())
   {
     run();
     return;

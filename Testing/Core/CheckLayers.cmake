@@ -12,10 +12,12 @@ set(layers
   MeshTopology
   VertexOrder
   TriangleGeometry
+  Ranking
+  Features
+  Subdomain
   Weights
   Laplacian
   Quality
-  Features
   Curvature
   MeshAnalysis
   SurfaceSampler

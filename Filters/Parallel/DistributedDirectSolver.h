@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_DistributedDirectSolver_h
+#define lmo_DistributedDirectSolver_h
+
+#include "../Core/ConjugateGradient.h"
+#include "DistributedEquations.h"
+
+namespace lmo
+{
+/// Factorises the matrix of the equations, with MUMPS or as the options -lmo_direct_... say, and
+/// solves them. Collective.
+/// \throw SolverError if the matrix is singular or PETSc lacks the package.
+Solution SolveDirectly(const DistributedEquations& equations, double rightHandSideNorm);
+}
+
+#endif

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistributedMesh.h"
+
+#include "../Core/Exceptions.h"
+#include "../Core/VertexOrder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <sstream>
+#include <unordered_set>
+
+namespace lmo
+{
+namespace
+{
+/// Coordinates of one vertex that differ by more, relative to the bounding box, are an error.
+constexpr double LargestShift = 1e-6;
+
+Mask UsedPoints(const Piece& piece)
+{
+  Mask isUsed(piece.ids.size(), 0);
+  for (const Index i : piece.triangles.reshaped())
+  {
+    isUsed[i] = 1;
+  }
+  return isUsed;
+}
+}
+
+DistributedMesh::DistributedMesh(const Communicator& comm, Piece piece)
+  : Comm(comm)
+  , PiecePoints(static_cast<Index>(piece.points.rows()))
+{
+  piece.owners = ChooseOwners(comm, piece.ids, UsedPoints(piece));
+  const std::int64_t firstNumber = comm.SumBefore(std::int64_t(piece.triangles.rows()));
+  const Neighbourhood neighbourhood = GatherNeighbourhood(comm, piece, firstNumber);
+  std::vector<OwnedVertex> copies = this->CollectCopies(neighbourhood, piece);
+  this->MakeTriangles(neighbourhood, piece, firstNumber, copies);
+  this->Reorder(copies);
+  this->Connect(piece, copies);
+  this->V = this->FromPiece(piece.points);
+  this->CheckCoordinates(piece);
+}
+
+std::vector<OwnedVertex> DistributedMesh::CollectCopies(
+  const Neighbourhood& neighbourhood, const Piece& piece)
+{
+  const int rank = this->Comm.Rank();
+  std::vector<GlobalId> owned;
+  for (Index i = 0; i < this->PiecePoints; ++i)
+  {
+    if (piece.owners[i] == rank)
+    {
+      owned.push_back(piece.ids[i]);
+    }
+  }
+  this->Owned = IdList(std::move(owned));
+
+  std::vector<OwnedVertex> copies;
+  std::unordered_set<GlobalId> known;
+  const auto add = [&](const OwnedVertex& vertex)
+  {
+    if (vertex.owner != rank && known.insert(vertex.id).second)
+    {
+      copies.push_back(vertex);
+    }
+  };
+  for (const Index t : neighbourhood.own)
+  {
+    for (const Index i : piece.triangles.row(t))
+    {
+      add({ piece.ids[i], piece.owners[i] });
+    }
+  }
+  for (const TravellingTriangle& triangle : neighbourhood.foreign)
+  {
+    std::for_each(std::begin(triangle.vertices), std::end(triangle.vertices), add);
+  }
+  std::sort(copies.begin(), copies.end(),
+    [](const OwnedVertex& a, const OwnedVertex& b) { return a.id < b.id; });
+  return copies;
+}
+
+void DistributedMesh::MakeTriangles(const Neighbourhood& neighbourhood, const Piece& piece,
+  std::int64_t firstNumber, const std::vector<OwnedVertex>& copies)
+{
+  std::vector<GlobalId> ids;
+  std::transform(copies.begin(), copies.end(), std::back_inserter(ids),
+    [](const OwnedVertex& vertex) { return vertex.id; });
+  const IdList copyIds(std::move(ids));
+  const auto numberOf = [&](const OwnedVertex& vertex)
+  {
+    return vertex.owner == this->Comm.Rank() ? this->Owned.Find(vertex.id)
+                                             : this->Owned.Size() + copyIds.Find(vertex.id);
+  };
+  std::vector<Index> numbers(this->PiecePoints);
+  this->SourcePoints.assign(this->Owned.Size(), 0);
+  for (Index i = this->PiecePoints - 1; i >= 0; --i)
+  {
+    numbers[i] = numberOf({ piece.ids[i], piece.owners[i] });
+    if (piece.owners[i] == this->Comm.Rank())
+    {
+      this->SourcePoints[numbers[i]] = i;
+    }
+  }
+  this->T.resize(neighbourhood.own.size() + neighbourhood.foreign.size(), 3);
+  Index t = 0;
+  auto foreign = neighbourhood.foreign.begin();
+  const auto addForeignBefore = [&](std::int64_t number)
+  {
+    for (; foreign != neighbourhood.foreign.end() && foreign->number < number; ++foreign, ++t)
+    {
+      for (int corner = 0; corner < 3; ++corner)
+      {
+        this->T(t, corner) = numberOf(foreign->vertices[corner]);
+      }
+    }
+  };
+  addForeignBefore(firstNumber);
+  for (const Index own : neighbourhood.own)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->T(t, corner) = numbers[piece.triangles(own, corner)];
+    }
+    ++t;
+  }
+  addForeignBefore(std::numeric_limits<std::int64_t>::max());
+}
+
+void DistributedMesh::Reorder(std::vector<OwnedVertex>& copies)
+{
+  const Index owned = this->Owned.Size();
+  this->Numbers.resize(owned);
+  std::iota(this->Numbers.begin(), this->Numbers.end(), 0);
+  if (!IsScattered(this->T))
+  {
+    return;
+  }
+  MeshOrder order = BreadthFirstOrder(owned + static_cast<Index>(copies.size()), this->T);
+  std::stable_partition(
+    order.vertices.begin(), order.vertices.end(), [&](Index i) { return i < owned; });
+  this->T = Renumber(order, this->T);
+  std::vector<Index> sourcePoints(owned);
+  for (Index i = 0; i < owned; ++i)
+  {
+    this->Numbers[order.vertices[i]] = i;
+    sourcePoints[i] = this->SourcePoints[order.vertices[i]];
+  }
+  this->SourcePoints = std::move(sourcePoints);
+  std::vector<OwnedVertex> oldCopies = copies;
+  for (std::size_t k = 0; k < copies.size(); ++k)
+  {
+    copies[k] = oldCopies[order.vertices[owned + k] - owned];
+  }
+}
+
+void DistributedMesh::Connect(const Piece& piece, const std::vector<OwnedVertex>& copies)
+{
+  const Index owned = this->Owned.Size();
+  this->CopyPlaces = FindPlaces(this->Comm, copies, this->Owned, this->Numbers);
+  this->Copies = std::make_unique<VertexCopies>(this->Comm, owned, this->CopyPlaces);
+
+  std::vector<OwnedVertex> points(this->PiecePoints);
+  for (Index i = 0; i < this->PiecePoints; ++i)
+  {
+    points[i] = { piece.ids[i], piece.owners[i] };
+  }
+  this->PieceCopies = std::make_unique<VertexCopies>(
+    this->Comm, owned, FindPlaces(this->Comm, points, this->Owned, this->Numbers));
+
+  this->FirstRows =
+    this->Comm.Join(std::vector<std::int64_t>{ this->Comm.SumBefore(std::int64_t(owned)) });
+  this->GlobalVertices = this->Comm.Sum(std::int64_t(owned));
+}
+
+void DistributedMesh::CheckCoordinates(const Piece& piece) const
+{
+  const Points owners = this->ToPiece(this->V);
+  double size = 0;
+  for (int c = 0; c < 3; ++c)
+  {
+    const bool isEmpty = piece.points.rows() == 0;
+    const double maximum = isEmpty ? -HUGE_VAL : piece.points.col(c).maxCoeff();
+    const double minimum = isEmpty ? HUGE_VAL : piece.points.col(c).minCoeff();
+    size = std::max(size, this->Comm.Maximum(maximum) + this->Comm.Maximum(-minimum));
+  }
+  this->Comm.Try(
+    [&]
+    {
+      const Vector shifts = (owners - piece.points).rowwise().lpNorm<Eigen::Infinity>();
+      const Eigen::Index count = (shifts.array() > LargestShift * size).count();
+      for (Eigen::Index i = 0; i < piece.points.rows() && count > 0; ++i)
+      {
+        if (shifts[i] > LargestShift * size)
+        {
+          std::ostringstream text;
+          text << count
+               << " points lie apart from others with their global ids; the first is point " << i
+               << " with the id " << piece.ids[i]
+               << ". Remove the array of global ids, and points that coincide will be one.";
+          throw InputError(text.str());
+        }
+      }
+    });
+}
+
+std::int64_t DistributedMesh::GetRow(Index i) const
+{
+  if (i < this->GetNumberOfOwned())
+  {
+    return this->GetFirstRow() + i;
+  }
+  const VertexPlace& place = this->CopyPlaces[i - this->GetNumberOfOwned()];
+  return this->FirstRows[place.rank] + place.number;
+}
+
+void DistributedMesh::UpdateCopies(double* values, int components) const
+{
+  const std::ptrdiff_t owned = std::ptrdiff_t(components) * this->GetNumberOfOwned();
+  this->Copies->Update(values, values + owned, components);
+}
+
+void DistributedMesh::UniteMaximum(Vector& values) const
+{
+  this->Copies->ReduceMaximum(values.data() + this->GetNumberOfOwned(), values.data());
+  this->UpdateCopies(values.data(), 1);
+}
+}

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistributedSubdomain.h"
+
+#include "DistributedRanking.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+namespace
+{
+/// A vertex on a line, as all processes get to know it.
+struct LineVertex
+{
+  std::int64_t row;
+  double position[3];
+  unsigned char pointClass;
+  std::int64_t neighbours[2]; ///< of an EDGE
+};
+
+std::vector<LineVertex> JoinLines(
+  const DistributedMesh& mesh, const FeatureLines& features, const Points& V)
+{
+  std::vector<LineVertex> vertices;
+  for (Index i = 0; i < mesh.GetNumberOfOwned(); ++i)
+  {
+    const unsigned char pointClass = features.pointClass[i];
+    if (pointClass == FeatureLines::SMOOTH)
+    {
+      continue;
+    }
+    LineVertex vertex{ mesh.GetRow(i), { V(i, 0), V(i, 1), V(i, 2) }, pointClass, {} };
+    for (int k = 0; k < 2 && pointClass == FeatureLines::EDGE; ++k)
+    {
+      vertex.neighbours[k] = mesh.GetRow(features.lines->Begin(i)[k]);
+    }
+    vertices.push_back(vertex);
+  }
+  return mesh.GetCommunicator().Join(vertices); // rows ascend with the ranks
+}
+
+Index FindLineVertex(const std::vector<LineVertex>& vertices, std::int64_t row)
+{
+  const auto found = std::lower_bound(vertices.begin(), vertices.end(), row,
+    [](const LineVertex& vertex, std::int64_t value) { return vertex.row < value; });
+  return static_cast<Index>(found - vertices.begin());
+}
+
+/// The lines alone, with vertices numbered as in the list.
+FeatureLines MakeLines(const std::vector<LineVertex>& vertices)
+{
+  FeatureLines features;
+  auto lines = std::make_shared<AdjacencyLists>();
+  lines->offsets.push_back(0);
+  for (const LineVertex& vertex : vertices)
+  {
+    features.pointClass.push_back(vertex.pointClass);
+    for (int k = 0; k < 2 && vertex.pointClass == FeatureLines::EDGE; ++k)
+    {
+      lines->ids.push_back(FindLineVertex(vertices, vertex.neighbours[k]));
+    }
+    lines->offsets.push_back(static_cast<Index>(lines->ids.size()));
+  }
+  features.lines = std::move(lines);
+  return features;
+}
+}
+
+DistributedSubdomain::DistributedSubdomain(
+  std::shared_ptr<const DistributedMesh> mesh, const Triangles& triangles)
+  : Mesh(std::move(mesh))
+  , IsTriangleOwned(triangles.rows())
+{
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+  {
+    this->IsTriangleOwned[t] = this->OwnsVertex(triangles(t, 0));
+  }
+}
+
+double DistributedSubdomain::Sum(double value) const
+{
+  return this->Mesh->GetCommunicator().Sum(value);
+}
+
+double DistributedSubdomain::Maximum(double value) const
+{
+  return this->Mesh->GetCommunicator().Maximum(value);
+}
+
+double DistributedSubdomain::Quantile(std::vector<double> values, double q) const
+{
+  return DistributedQuantile(this->Mesh->GetCommunicator(), values, q);
+}
+
+Vector DistributedSubdomain::CumulativeShares(const Vector& values, const Mask& counts) const
+{
+  return DistributedShares(this->Mesh->GetCommunicator(), values, counts);
+}
+
+void DistributedSubdomain::UpdateCopies(Vector& values) const
+{
+  this->Mesh->UpdateCopies(values.data(), 1);
+}
+
+void DistributedSubdomain::UpdateCopies(Points& values) const
+{
+  this->Mesh->UpdateCopies(values.data(), 3);
+}
+
+void DistributedSubdomain::UniteFlags(const std::vector<Index>& component, Mask& flags) const
+{
+  for (bool isChanged = true; isChanged;)
+  {
+    Vector reached(component.size());
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      reached[i] = flags[component[i]];
+    }
+    this->Mesh->UniteMaximum(reached);
+    isChanged = false;
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      isChanged = isChanged || reached[i] > flags[component[i]];
+      flags[component[i]] |= reached[i] > 0;
+    }
+    isChanged = this->Maximum(isChanged) > 0;
+  }
+}
+
+void DistributedSubdomain::ProjectOntoLines(
+  const FeatureLines& features, const Points& V, Points& moved) const
+{
+  const std::vector<LineVertex> vertices = JoinLines(*this->Mesh, features, V);
+  const auto size = static_cast<Index>(vertices.size());
+  Points before(size, 3);
+  for (Index k = 0; k < size; ++k)
+  {
+    before.row(k) = Eigen::Map<const Vector3>(vertices[k].position);
+  }
+  const std::int64_t firstRow = this->Mesh->GetFirstRow();
+  const Index begin = FindLineVertex(vertices, firstRow);
+  const Index end = FindLineVertex(vertices, firstRow + this->Mesh->GetNumberOfOwned());
+  Points after = before; // those of other processes stay
+  for (Index k = begin; k < end; ++k)
+  {
+    after.row(k) = moved.row(vertices[k].row - firstRow);
+  }
+  lmo::ProjectOntoLines(MakeLines(vertices), before, after);
+  for (Index k = begin; k < end; ++k)
+  {
+    moved.row(vertices[k].row - firstRow) = after.row(k);
+  }
+}
+}

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PetscSupport.h"
+
+#include "../Core/Exceptions.h"
+
+#include <string>
+
+namespace lmo
+{
+namespace
+{
+/// MPI_Finalize() deletes the attributes of MPI_COMM_SELF first, when MPI still works.
+int FinalizePetsc(MPI_Comm, int, void*, void*)
+{
+  PetscFinalize();
+  return MPI_SUCCESS;
+}
+
+void InitializePetsc(MPI_Comm comm)
+{
+  PETSC_COMM_WORLD = comm;
+  Check(PetscInitializeNoArguments());
+  Check(PetscPopSignalHandler()); // signals are the application's
+  int key = MPI_KEYVAL_INVALID;
+  MPI_Comm_create_keyval(MPI_COMM_NULL_COPY_FN, FinalizePetsc, &key, nullptr);
+  MPI_Comm_set_attr(MPI_COMM_SELF, key, nullptr);
+  MPI_Comm_free_keyval(&key);
+}
+}
+
+void Check(PetscErrorCode code)
+{
+  if (code)
+  {
+    const char* general = nullptr;
+    char* specific = nullptr;
+    PetscErrorMessage(code, &general, &specific);
+    throw SolverError(std::string("PETSc: ") + (general ? general : "error") +
+                      (specific && *specific ? std::string(": ") + specific : std::string()));
+  }
+}
+
+PetscSession::PetscSession(MPI_Comm comm)
+{
+  PetscBool isInitialized = PETSC_FALSE;
+  Check(PetscInitialized(&isInitialized));
+  if (!isInitialized)
+  {
+    InitializePetsc(comm);
+  }
+  Check(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
+}
+
+PetscSession::~PetscSession()
+{
+  PetscPopErrorHandler();
+}
+}

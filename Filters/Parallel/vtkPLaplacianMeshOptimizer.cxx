@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkPLaplacianMeshOptimizer.h"
+
+#include "../Private/FilterSupport.h"
+#include "../Private/OptimizerEngine.h"
+#include "DistributedOptimizer.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkGenerateGlobalIds.h"
+#include "vtkMPI.h"
+#include "vtkMPICommunicator.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+namespace
+{
+/// The processes of a controller; MPI_COMM_NULL if there is only one, or no MPI.
+MPI_Comm CommunicatorOf(vtkMultiProcessController* controller)
+{
+  auto* communicator =
+    controller ? vtkMPICommunicator::SafeDownCast(controller->GetCommunicator()) : nullptr;
+  const bool isDistributed = communicator && controller->GetNumberOfProcesses() > 1;
+  return isDistributed ? *communicator->GetMPIComm()->GetHandle() : MPI_COMM_NULL;
+}
+
+std::vector<lmo::GlobalId> ReadIds(vtkDataArray* array)
+{
+  std::vector<lmo::GlobalId> ids(array ? array->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = static_cast<lmo::GlobalId>(array->GetTuple1(static_cast<vtkIdType>(i)));
+  }
+  return ids;
+}
+
+/// Ids by which points of all processes are the same one: those of the input, or by coordinates.
+std::vector<lmo::GlobalId> GlobalIds(
+  vtkPolyData* input, const lmo::Communicator& comm, vtkMultiProcessController* controller)
+{
+  vtkDataArray* ids = input->GetPointData()->GetGlobalIds();
+  const bool isMissing = input->GetNumberOfPoints() > 0 && !ids;
+  if (comm.Maximum(isMissing) == 0)
+  {
+    return ReadIds(ids);
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(input->GetPoints());
+  vtkNew<vtkGenerateGlobalIds> generator;
+  generator->SetController(controller);
+  generator->SetInputData(points);
+  generator->Update();
+  return ReadIds(vtkPolyData::SafeDownCast(generator->GetOutput())->GetPointData()->GetGlobalIds());
+}
+
+/// The triangles of the cells that are not marked as duplicates.
+lmo::Triangles TrianglesThatCount(
+  vtkPolyData* input, const lmo::Triangles& triangles, const lmo::TriangleCells& cells)
+{
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (!ghosts)
+  {
+    return triangles;
+  }
+  lmo::Triangles counted(triangles.rows(), 3);
+  Eigen::Index count = 0;
+  for (lmo::Index t = 0; t < triangles.rows(); ++t)
+  {
+    if (!(ghosts->GetValue(cells(t)) & vtkDataSetAttributes::DUPLICATECELL))
+    {
+      counted.row(count++) = triangles.row(t);
+    }
+  }
+  counted.conservativeResize(count, 3);
+  return counted;
+}
+
+/// A monitor that stops in all processes if one is asked to stop.
+class CollectiveMonitor : public lmo::FilterMonitor
+{
+public:
+  CollectiveMonitor(vtkAlgorithm* filter, const lmo::Communicator& comm)
+    : FilterMonitor(filter)
+    , Comm(comm)
+  {
+  }
+
+protected:
+  bool IsCancelled() override { return this->Comm.Maximum(this->FilterMonitor::IsCancelled()) > 0; }
+
+private:
+  const lmo::Communicator Comm;
+};
+}
+
+/// With one process, the engine of the superclass.
+class vtkPLaplacianMeshOptimizer::DistributedEngine : public vtkLaplacianMeshOptimizer::Engine
+{
+public:
+  explicit DistributedEngine(vtkPLaplacianMeshOptimizer* filter)
+    : Engine(filter)
+    , ParallelFilter(filter)
+  {
+  }
+
+  void CheckPieces(int pieces) override
+  {
+    if (!this->IsDistributed())
+    {
+      this->Engine::CheckPieces(pieces);
+    }
+  }
+
+  void Try(const std::function<void()>& body) override
+  {
+    if (this->IsDistributed())
+    {
+      this->GetCommunicator().Try(body);
+    }
+    else
+    {
+      body();
+    }
+  }
+
+  std::unique_ptr<lmo::Monitor> MakeMonitor() override
+  {
+    if (!this->IsDistributed())
+    {
+      return this->Engine::MakeMonitor();
+    }
+    return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
+  }
+
+  void SetInput(vtkPolyData* input) override
+  {
+    if (!this->IsDistributed())
+    {
+      this->Distributed.reset();
+      this->Engine::SetInput(input);
+      return;
+    }
+    this->Optimizer.reset();
+    const lmo::Communicator comm = this->GetCommunicator();
+    if (comm.Maximum(!this->Distributed || this->IsNew(input)) == 0)
+    {
+      return;
+    }
+    this->Distributed.reset();
+    lmo::SurfaceMesh mesh;
+    comm.Try([&] { mesh = this->Read(input); });
+    lmo::Piece piece;
+    piece.triangles = TrianglesThatCount(input, mesh.triangles, this->GetTriangleCells());
+    piece.points = std::move(mesh.points);
+    if (comm.Sum(std::int64_t(input->GetNumberOfPoints())) > 0)
+    {
+      piece.ids = GlobalIds(input, comm, this->ParallelFilter->GetController());
+    }
+    this->Distributed = std::make_unique<lmo::DistributedOptimizer>(
+      comm, std::move(piece), std::move(mesh.triangles));
+  }
+
+  lmo::OptimizerResult Run(const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays,
+    lmo::Monitor& monitor) override
+  {
+    return this->IsDistributed() ? this->Distributed->Run(options, arrays, monitor)
+                                 : this->Engine::Run(options, arrays, monitor);
+  }
+
+private:
+  bool IsDistributed() const
+  {
+    return CommunicatorOf(this->ParallelFilter->GetController()) != MPI_COMM_NULL;
+  }
+
+  lmo::Communicator GetCommunicator() const
+  {
+    return lmo::Communicator(CommunicatorOf(this->ParallelFilter->GetController()));
+  }
+
+  vtkPLaplacianMeshOptimizer* const ParallelFilter;
+  std::unique_ptr<lmo::DistributedOptimizer> Distributed;
+};
+
+vtkStandardNewMacro(vtkPLaplacianMeshOptimizer);
+vtkCxxSetObjectMacro(vtkPLaplacianMeshOptimizer, Controller, vtkMultiProcessController);
+
+vtkPLaplacianMeshOptimizer::vtkPLaplacianMeshOptimizer()
+{
+  this->SetController(vtkMultiProcessController::GetGlobalController());
+}
+
+vtkPLaplacianMeshOptimizer::~vtkPLaplacianMeshOptimizer()
+{
+  this->SetController(nullptr);
+}
+
+std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkPLaplacianMeshOptimizer::MakeEngine()
+{
+  return std::make_unique<DistributedEngine>(this);
+}
+
+int vtkPLaplacianMeshOptimizer::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  int result = 0;
+  const auto run = [&]
+  { result = this->Superclass::RequestData(request, inputVector, outputVector); };
+  if (CommunicatorOf(this->Controller) == MPI_COMM_NULL || lmo::IsBackendChosen())
+  {
+    run();
+  }
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, run);
+  }
+  return result;
+}
+
+void vtkPLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Controller: " << this->Controller << "\n";
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif

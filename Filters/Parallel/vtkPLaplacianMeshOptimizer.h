@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPLaplacianMeshOptimizer
+ * @brief   vtkLaplacianMeshOptimizer for a surface whose pieces are on the processes of an MPI job
+ *
+ * All pieces together are one mesh with one system of equations and one set of statistics, which
+ * PETSc solves. vtkLaplacianMeshOptimizer::New() makes this class where its module is linked, or
+ * imported in Python.
+ *
+ * Points that have the same global id (vtkDataSetAttributes::GetGlobalIds()) are one; without
+ * global ids, points with the same coordinates are (vtkGenerateGlobalIds). Their copies come out
+ * identical in all processes. Cells that vtkGhostType marks as duplicates do not count. Pieces may
+ * be cut in any way and may be empty.
+ *
+ * Every process has to execute the filter, with the same properties. An error in one process is an
+ * error in all. The figures, on every process, are those of the whole surface. With one process, or
+ * without MPI, this is vtkLaplacianMeshOptimizer.
+ *
+ * Options of PETSc with the prefixes -lmo_ (conjugate gradients), -lmo_amg_ (multigrid) and
+ * -lmo_direct_ (factorisation) are read from the environment variable PETSC_OPTIONS.
+ *
+ * One thread for each process is used, unless a backend of vtkSMPTools is chosen.
+ *
+ * @sa vtkLaplacianMeshOptimizer vtkGenerateGlobalIds
+ */
+#ifndef vtkPLaplacianMeshOptimizer_h
+#define vtkPLaplacianMeshOptimizer_h
+
+#include "vtkFiltersLaplacianMeshParallelModule.h" // for export macro
+#include "vtkLaplacianMeshOptimizer.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkMultiProcessController;
+
+class VTKFILTERSLAPLACIANMESHPARALLEL_EXPORT vtkPLaplacianMeshOptimizer
+  : public vtkLaplacianMeshOptimizer
+{
+public:
+  static vtkPLaplacianMeshOptimizer* New();
+  vtkTypeMacro(vtkPLaplacianMeshOptimizer, vtkLaplacianMeshOptimizer);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The processes that hold the surface. Default: the global controller.
+   */
+  virtual void SetController(vtkMultiProcessController*);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkPLaplacianMeshOptimizer();
+  ~vtkPLaplacianMeshOptimizer() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  std::unique_ptr<Engine> MakeEngine() override;
+
+  vtkMultiProcessController* Controller = nullptr;
+
+private:
+  vtkPLaplacianMeshOptimizer(const vtkPLaplacianMeshOptimizer&) = delete;
+  void operator=(const vtkPLaplacianMeshOptimizer&) = delete;
+
+  class DistributedEngine;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+#endif

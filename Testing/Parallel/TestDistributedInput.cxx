@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "ParallelTesting.h"
+
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
+#include "vtkLaplacianMeshOptimizer.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkPolyDataNormals.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+using Optimizer = vtkLaplacianMeshOptimizer;
+
+/// Weights, boundaries and neighbours of neighbours matter in it.
+void Demanding(Optimizer* filter)
+{
+  filter->SetTolerance(1e-12);
+  filter->SetPositionWeighting(Optimizer::LINEAR);
+  filter->SetLaplacianWeighting(Optimizer::CDF_COMPLEMENT);
+  filter->SetBoundaryCondition(Optimizer::SLIDING);
+  filter->SetModulateByTriangleQuality(true);
+}
+
+/// Pieces, as \a change leaves them, against the whole surface.
+double DifferenceOf(
+  MpiJob& job, vtkPolyData* whole, const Cut& cut,
+  const std::function<void(PieceOfMesh&)>& change = [](PieceOfMesh&) {})
+{
+  PieceOfMesh piece = TakePiece(whole, cut, job.Rank(), job.Size());
+  change(piece);
+  return job.Largest(DifferenceFromWhole(
+    piece, Optimized(piece.surface, Demanding), OptimizedAlone(whole, Demanding)));
+}
+
+void CheckCuts(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(HalfSphere(3), 0.02);
+  const auto whole = MakePolyData(mesh);
+  c.Error(
+    "triangles dealt out one by one are one surface", DifferenceOf(job, whole, Scattered()), 1e-9);
+  c.Error("all triangles may be in one process", DifferenceOf(job, whole, AllInLast()), 1e-9);
+  c.Error("ghost cells do not count",
+    DifferenceOf(
+      job, whole, Sectors(mesh), [&](PieceOfMesh& piece) { AddGhostCells(piece, whole); }),
+    1e-9);
+  c.Error("ghost cells of triangles dealt out one by one do not count",
+    DifferenceOf(job, whole, Scattered(), [&](PieceOfMesh& piece) { AddGhostCells(piece, whole); }),
+    1e-9);
+  c.Error("global ids of the input are used", DifferenceOf(job, whole, Sectors(mesh), AddGlobalIds),
+    1e-9);
+}
+
+void CheckMeshes(MpiJob& job, Checks& c)
+{
+  for (const auto& [name, mesh] : AllTestMeshes())
+  {
+    c.Error(name + ": the pieces are those of the whole surface",
+      DifferenceOf(job, MakePolyData(Irregular(mesh, 0.003)), Scattered()), 1e-9);
+  }
+  c.Error("float coordinates come out the same",
+    DifferenceOf(job, MakePolyData(Irregular(Icosphere(3), 0.02), VTK_FLOAT), Scattered()), 1e-7);
+}
+
+/// Two sheets that touch in points with the same coordinates, which their global ids tell apart.
+void CheckCoincidentPoints(MpiJob& job, Checks& c)
+{
+  TestMesh mesh = Irregular(Grid(8, 0.2), 0.02);
+  const Index size = static_cast<Index>(mesh.V.rows());
+  TestMesh sheets{ Points(2 * size, 3), Triangles(2 * mesh.T.rows(), 3) };
+  sheets.V << mesh.V, mesh.V;
+  sheets.V.bottomRows(size).col(2) += mesh.V.col(0);
+  sheets.T << mesh.T, mesh.T.array() + size;
+  c.Error("points that coincide are two if their global ids differ",
+    DifferenceOf(job, MakePolyData(sheets), Sectors(sheets), AddGlobalIds), 1e-9);
+}
+
+void CheckNormals(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(3), 0.02);
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->SetInputData(MakePolyData(mesh));
+  normals->SplittingOff();
+  normals->ConsistencyOff();
+  normals->Update();
+  c.Error("normals are computed over the borders",
+    DifferenceOf(job, normals->GetOutput(), Sectors(mesh)), 1e-6);
+}
+
+void CheckEmpty(MpiJob& job, Checks& c)
+{
+  vtkNew<vtkPolyData> nothing;
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(nothing);
+  const Messages messages = Update(filter);
+  c.Error("all pieces may be empty", job.Largest(!messages.errors.empty()), 0);
+  c.Error("an empty surface has no quality",
+    job.Largest(std::abs(FieldValue(filter->GetOutput(), "MeanRadiusRatio") + 1)), 0);
+}
+
+void CheckCopies(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(3), 0.02);
+  const auto whole = MakePolyData(mesh);
+  const PieceOfMesh piece = TakePiece(whole, Scattered(), job.Rank(), job.Size());
+  const Points moved = PointsOf(Optimized(piece.surface));
+  double difference = 0;
+  for (Index i = 0; i < whole->GetNumberOfPoints(); ++i)
+  {
+    const auto found = std::find(piece.points.begin(), piece.points.end(), i);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool isHere = found != piece.points.end();
+      const double x = isHere ? moved(found - piece.points.begin(), axis) : -HUGE_VAL;
+      const double y = isHere ? -x : -HUGE_VAL;
+      difference = std::max(difference, job.Largest(x) + job.Largest(y));
+    }
+  }
+  c.Error("the copies of a point are identical", difference, 0);
+}
+
+void CheckSecondExecution(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(HalfSphere(3), 0.02);
+  const auto whole = MakePolyData(mesh);
+  PieceOfMesh piece = TakePiece(whole, Sectors(mesh), job.Rank(), job.Size());
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(piece.surface);
+  filter->Update();
+  Demanding(filter);
+  filter->Update();
+  c.Error("other properties take effect",
+    job.Largest(DifferenceFromWhole(piece, filter->GetOutput(), OptimizedAlone(whole, Demanding))),
+    1e-9);
+  const auto larger = MakePolyData(Transformed(mesh, 2));
+  if (job.Rank() == job.Size() - 1)
+  {
+    filter->SetInputData(TakePiece(larger, Sectors(mesh), job.Rank(), job.Size()).surface);
+  }
+  else
+  {
+    piece.surface->SetPoints(
+      TakePiece(larger, Sectors(mesh), job.Rank(), job.Size()).surface->GetPoints());
+  }
+  filter->Update();
+  c.Error("another input takes effect",
+    job.Largest(DifferenceFromWhole(piece, filter->GetOutput(), OptimizedAlone(larger, Demanding))),
+    1e-9);
+}
+}
+
+int TestDistributedInput(int argc, char* argv[])
+{
+  MpiJob job(argc, argv);
+  Checks c;
+  CheckCuts(job, c);
+  CheckMeshes(job, c);
+  CheckCoincidentPoints(job, c);
+  CheckNormals(job, c);
+  CheckEmpty(job, c);
+  CheckCopies(job, c);
+  CheckSecondExecution(job, c);
+  return c.Result();
+}
