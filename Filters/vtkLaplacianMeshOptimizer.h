@@ -49,6 +49,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkSelection;
+
 class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer : public vtkPolyDataAlgorithm
 {
 public:
@@ -94,6 +96,12 @@ public:
     FIXED = 0,
     SLIDING = 1,
     FREE = 2
+  };
+
+  enum SelectionUseType
+  {
+    SELECTED_POINTS_STAY = 0,
+    ONLY_SELECTED_POINTS_MOVE = 1
   };
 
   enum SolverTypeType
@@ -221,6 +229,26 @@ public:
 
   ///@{
   /**
+   * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
+   * for its points. SelectionUse says what becomes of them. Points that FIXED_POINT_ARRAY or
+   * BoundaryCondition hold do not move either way. Selections that are queries, name blocks of a
+   * composite data set, or mix points and cells are errors.
+   */
+  void SetSelectionConnection(vtkAlgorithmOutput* selection);
+  void SetSelectionData(vtkSelection* selection);
+  ///@}
+
+  ///@{
+  /**
+   * SELECTED_POINTS_STAY (0): the selected points do not move. ONLY_SELECTED_POINTS_MOVE (1): all
+   * others do not. Without a selection on port 1 this has no effect. Default: SELECTED_POINTS_STAY.
+   */
+  vtkSetMacro(SelectionUse, int);
+  vtkGetMacro(SelectionUse, int);
+  ///@}
+
+  ///@{
+  /**
    * DIRECT (1): factorise the normal equations. ITERATIVE (2): conjugate gradients without forming
    * them; with strong smoothing or very thin triangles they switch to a multigrid preconditioner or
    * to a factorisation of a smaller matrix. AUTOMATIC (0): iterative, and direct if that does not
@@ -262,8 +290,8 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Valid after Update(), as all figures below; those of the last block if the input is
-   * composite.
+   * triangles. Valid after Update(), as all figures below, and undefined, -1 or 0, when the output
+   * is out of date; those of the last block if the input is composite.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);
@@ -305,6 +333,8 @@ protected:
   vtkLaplacianMeshOptimizer();
   ~vtkLaplacianMeshOptimizer() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Mode = OPTIMIZE_TRIANGLES;
@@ -317,6 +347,7 @@ protected:
   vtkTypeBool TangentPlaneConstraints = 0;
   double TangentPlaneWeight = 1;
   int BoundaryCondition = FIXED;
+  int SelectionUse = SELECTED_POINTS_STAY;
   int SolverType = AUTOMATIC;
   double Tolerance = 1e-6;
   int MaximumNumberOfIterations = 5000;

@@ -51,6 +51,7 @@ void CheckRefusal(Checks& c, const std::string& what,
   filter->SetGaussianWidth(defaults->GetGaussianWidth());
   filter->SetTangentPlaneWeight(defaults->GetTangentPlaneWeight());
   filter->SetBoundaryCondition(defaults->GetBoundaryCondition());
+  filter->SetSelectionUse(defaults->GetSelectionUse());
   filter->SetSolverType(defaults->GetSolverType());
   filter->SetTolerance(defaults->GetTolerance());
   filter->SetMaximumNumberOfIterations(defaults->GetMaximumNumberOfIterations());
@@ -231,6 +232,7 @@ void CheckParameters(Checks& c)
   CheckValues(c, "PositionWeighting", &Optimizer::SetPositionWeighting, enumeration);
   CheckValues(c, "LaplacianWeighting", &Optimizer::SetLaplacianWeighting, enumeration);
   CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
+  CheckValues(c, "SelectionUse", &Optimizer::SetSelectionUse, enumeration);
   CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
   CheckValues(c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, NaN, Infinity });
   CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });

@@ -17,6 +17,7 @@ ENUMERATIONS = {
     "PositionWeighting": ["Constant", "Linear", "CDF", "Anchors", "Array"],
     "LaplacianWeighting": ["Constant", "Linear Complement", "CDF Complement", "Gaussian", "Array"],
     "BoundaryCondition": ["Fixed", "Sliding", "Free"],
+    "SelectionUse": ["Selected Points Stay", "Only Selected Points Move"],
     "SolverType": ["Automatic", "Direct", "Iterative"],
 }
 
@@ -38,8 +39,29 @@ ARRAYS = [
     "FixedPointArray",
 ]
 
+RESULTS = [
+    "InputMeanRadiusRatio",
+    "MeanRadiusRatio",
+    "InputMinimumRadiusRatio",
+    "MinimumRadiusRatio",
+    "MaximumDisplacement",
+    "RelativeMaximumDisplacement",
+    "RelativeVolumeChange",
+    "FlippedTriangles",
+    "Iterations",
+    "RelativeResidual",
+]
+
 PROPERTIES = {
-    "LaplacianMeshOptimizer": ["Input", *ENUMERATIONS, *NUMBERS, *ARRAYS],
+    "LaplacianMeshOptimizer": [
+        "Input",
+        "Selection",
+        *ENUMERATIONS,
+        *NUMBERS,
+        *ARRAYS,
+        *RESULTS,
+        "ReadResults",
+    ],
     "MeshLaplacian": ["Input"],
     "TriangleRadiusRatio": ["Input"],
     "SurfaceDeviation": ["Input", "Reference", "NumberOfSamples"],
@@ -82,6 +104,19 @@ def point_array(proxy, name):
 
 def figure(proxy, name):
     return fetched(proxy).GetFieldData().GetArray(name).GetValue(0)
+
+
+def all_points(proxy):
+    return set(range(fetched(proxy).GetNumberOfPoints()))
+
+
+def moved_points(proxy):
+    return set(np.flatnonzero(point_array(proxy, "Displacement").any(axis=1)))
+
+
+def points_of_cell(proxy, cell):
+    ids = fetched(proxy).GetCell(cell).GetPointIds()
+    return {ids.GetId(corner) for corner in range(ids.GetNumberOfIds())}
 
 
 class Proxies(unittest.TestCase):
@@ -231,6 +266,22 @@ class OptimizerEffects(unittest.TestCase):
         moves = point_array(optimizer, "Displacement").any(axis=1)
         self.assertTrue((moves == (point_array(optimizer, "upper") == 0)).all())
 
+    def test_selection(self):
+        surface = half_sphere()
+        selections = [
+            (IDSelectionSource(FieldType="POINT", IDs=[-1, 20, -1, 30]), {20, 30}),
+            (IDSelectionSource(FieldType="CELL", IDs=[-1, 100]), points_of_cell(surface, 100)),
+        ]
+        for selection, selected in selections:
+            optimizer = LaplacianMeshOptimizer(
+                Input=surface, BoundaryCondition="Free", Selection=selection
+            )
+            self.assertEqual(moved_points(optimizer), all_points(surface) - selected)
+            optimizer.SelectionUse = "Only Selected Points Move"
+            self.assertEqual(moved_points(optimizer), selected)
+            optimizer.Selection = None
+            self.assertEqual(moved_points(optimizer), all_points(surface))
+
     def test_solver_type(self):
         surface = half_sphere()
         direct = LaplacianMeshOptimizer(Input=surface, SolverType="Direct")
@@ -277,6 +328,47 @@ class OtherFilters(unittest.TestCase):
         self.assertAlmostEqual(figure(deviation, "HausdorffDistance"), 0.25)
         self.assertAlmostEqual(figure(deviation, "MeanDistance"), 0.25)
         self.assertTrue(np.allclose(point_array(deviation, "Distance"), 0.25))
+
+
+class Results(unittest.TestCase):
+    def test_the_panel_shows_the_figures_of_the_field_data(self):
+        optimizer = LaplacianMeshOptimizer(Input=Sphere(), Mode="Smooth")
+        optimizer.UpdatePipeline()
+        optimizer.UpdatePropertyInformation()
+        for name in RESULTS:
+            self.assertEqual(getattr(optimizer, name), figure(optimizer, name), name)
+
+    def test_old_figures_are_not_shown_for_new_properties(self):
+        optimizer = LaplacianMeshOptimizer(Input=Sphere())
+        optimizer.UpdatePipeline()
+        optimizer.ScaleFactor = 0.1
+        optimizer.UpdatePipelineInformation()
+        self.assertEqual(optimizer.MeanRadiusRatio, -1)
+
+
+class Panel(unittest.TestCase):
+    """What the panel is built from."""
+
+    def test_every_property_but_the_inputs_is_in_a_group(self):
+        optimizer = prototype("LaplacianMeshOptimizer")
+        grouped = []
+        for number in range(optimizer.GetNumberOfPropertyGroups()):
+            group = optimizer.GetPropertyGroup(number)
+            self.assertTrue(group.GetXMLLabel())
+            properties = [group.GetProperty(k) for k in range(group.GetNumberOfProperties())]
+            self.assertNotIn(None, properties)
+            grouped += [optimizer.GetPropertyName(prop) for prop in properties]
+        self.assertEqual(
+            sorted(grouped), sorted(set(PROPERTIES["LaplacianMeshOptimizer"]) - {"Input"})
+        )
+
+    def test_decorators_name_properties(self):
+        optimizer = prototype("LaplacianMeshOptimizer")
+        for name in PROPERTIES["LaplacianMeshOptimizer"]:
+            hints = optimizer.GetProperty(name).GetHints()
+            decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+            if decorator:
+                self.assertIn(decorator.GetAttribute("property"), ENUMERATIONS | NUMBERS, name)
 
 
 class Inputs(unittest.TestCase):
