@@ -68,6 +68,39 @@ PROPERTIES = {
 }
 
 
+# XML name, function, settings other than the defaults.
+PRESETS = [
+    ("ImproveTriangleQuality", "ImproveTriangleQualitynoRemesh", {}),
+    (
+        "ImproveTriangleQualityCAD",
+        "ImproveTriangleQualitynoRemeshCAD",
+        {"PositionWeighting": "Linear", "LaplacianWeighting": "Linear Complement"},
+    ),
+    (
+        "SmoothAndFair",
+        "SmoothandFair",
+        {
+            "Mode": "Smooth",
+            "LaplacianType": "Cotangent",
+            "ScaleFactor": 0.3,
+            "LaplacianWeighting": "CDF Complement",
+        },
+    ),
+    (
+        "SmoothAndFairCAD",
+        "SmoothandFairCAD",
+        {
+            "Mode": "Smooth",
+            "PositionWeighting": "Linear",
+            "ScaleFactor": 0.1,
+            "LaplacianWeighting": "Linear Complement",
+        },
+    ),
+]
+
+MENU = [*PROPERTIES, *(name for name, _, _ in PRESETS)]
+
+
 def proxy_class(name):
     return globals()[name]
 
@@ -131,13 +164,13 @@ class Proxies(unittest.TestCase):
                 self.assertTrue(documentation.GetDescription().strip(), f"{name}.{prop}")
 
     def test_every_filter_is_documented(self):
-        for name in PROPERTIES:
+        for name in MENU:
             documentation = prototype(name).GetDocumentation()
             self.assertTrue(documentation.GetDescription().strip(), name)
             self.assertTrue(documentation.GetShortHelp().strip(), name)
 
     def test_every_filter_is_in_the_menu(self):
-        for name in PROPERTIES:
+        for name in MENU:
             menu = prototype(name).GetHints().FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Laplacian Mesh", name)
 
@@ -369,6 +402,43 @@ class Panel(unittest.TestCase):
             decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
             if decorator:
                 self.assertIn(decorator.GetAttribute("property"), ENUMERATIONS | NUMBERS, name)
+
+
+class Presets(unittest.TestCase):
+    def test_presets_are_the_optimizer_with_other_defaults(self):
+        sphere = Sphere()
+        for _, function, settings in PRESETS:
+            preset = proxy_class(function)(Input=sphere)
+            optimizer = LaplacianMeshOptimizer(Input=sphere, **settings)
+            for name in [*ENUMERATIONS, *NUMBERS]:
+                self.assertEqual(getattr(preset, name), getattr(optimizer, name), name)
+            self.assertEqual(preset.ListProperties(), optimizer.ListProperties())
+            self.assertTrue((points(preset) == points(optimizer)).all(), function)
+
+    def test_presets_can_be_changed(self):
+        smooth = SmoothandFair(Input=Sphere(), ScaleFactor=0.05)
+        changed = LaplacianMeshOptimizer(Input=Sphere(), **{**PRESETS[2][2], "ScaleFactor": 0.05})
+        self.assertTrue((points(smooth) == points(changed)).all())
+
+    def test_the_panel_of_a_preset_is_that_of_the_optimizer(self):
+        def layout(name):
+            proxy = prototype(name)
+            properties = proxy.NewPropertyIterator()
+            order = []
+            while not properties.IsAtEnd():
+                order.append(properties.GetKey())
+                properties.Next()
+            return proxy.GetNumberOfPropertyGroups(), order
+
+        for name, _, _ in PRESETS:
+            self.assertEqual(layout(name), layout("LaplacianMeshOptimizer"))
+
+    def test_the_search_finds_them_by_their_jobs(self):
+        labels = [prototype(name).GetXMLLabel().lower() for name in MENU]
+        for words in ["smooth", "fair", "remesh", "triangle quality", "laplacian mesh", "cad"]:
+            self.assertTrue(
+                any(all(word in label for word in words.split()) for label in labels), words
+            )
 
 
 class Inputs(unittest.TestCase):
