@@ -20,14 +20,17 @@
  * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
  * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
  *
- * Input: triangles and triangle strips; vertices and lines pass through and their points do not
- * move unless a triangle uses them too. Polygons with more corners are an error: use
- * vtkTriangleFilter first. Points with float coordinates give float coordinates, all others double.
- * A composite data set is treated block by block, each with statistics of its own.
+ * Input: polygons and triangle strips; vertices and lines pass through and their points do not move
+ * unless a polygon uses them too. Polygons with more than three corners count as triangles, into
+ * which they are cut inside of the filter only: quads along the diagonal that is inside, the
+ * shorter one if both are; larger polygons, which may be concave, as vtkPolygon does. Points with
+ * float coordinates give float coordinates, all others double. A composite data set is treated
+ * block by block, each with statistics of its own.
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
- *   (degenerate) to 1 (equilateral); the minimum over its triangles for a strip; -1 for vertices
+ *   (degenerate) to 1 (equilateral); for a polygon or a strip the minimum over its triangles, those
+ *   into which the input was cut; -1 for vertices
  *   and lines.
  * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the triangles at the point; -1
  *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
