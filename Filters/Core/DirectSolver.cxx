@@ -4,6 +4,7 @@
 
 #include "Exceptions.h"
 #include "Ordering.h"
+#include "RunAside.h"
 
 #ifdef LMO_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -122,9 +123,8 @@ SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseM
   coupled.setFromTriplets(entries.begin(), entries.end());
   return coupled;
 }
-}
 
-Points SolveDirectly(const LeastSquaresProblem& problem)
+Points FactoriseAndSolve(const LeastSquaresProblem& problem)
 {
   SparseMatrix A = FormMatrix(problem);
   EliminateFixed(problem.motion, A);
@@ -155,5 +155,12 @@ Points SolveDirectly(const LeastSquaresProblem& problem)
     ThrowSingular();
   }
   return d;
+}
+}
+
+Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor)
+{
+  return RunAside(monitor, [copy = std::make_shared<const LeastSquaresProblem>(problem)]
+    { return FactoriseAndSolve(*copy); });
 }
 }
