@@ -19,7 +19,7 @@ set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 
 # --- VTK, or ParaView with its own -------------------------------------------------------------
-set(lmo_vtk_components CommonCore CommonDataModel CommonExecutionModel)
+set(lmo_vtk_components CommonCore CommonDataModel CommonExecutionModel FiltersExtraction)
 set(lmo_parallel_components FiltersParallelDIY2 ParallelCore ParallelMPI)
 set(lmo_testing_components
   FiltersCore FiltersModeling FiltersSources ImagingCore IOGeometry IOPLY IOXML TestingCore)

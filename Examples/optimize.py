@@ -34,13 +34,10 @@ LoadPlugin('LaplacianMeshOptimization', remote=False, ns=globals())
 BINS = 50  # of the histograms
 
 PRESETS = {
-    'smooth-model': dict(Mode='Optimize Triangles', PositionWeighting='CDF'),
-    'cad-model': dict(Mode='Optimize Triangles', PositionWeighting='Linear',
-                      LaplacianWeighting='Linear Complement'),
-    'denoise': dict(Mode='Smooth', PositionWeighting='CDF', ScaleFactor=0.3,
-                    LaplacianType='Cotangent', LaplacianWeighting='CDF Complement'),
-    'denoise-cad': dict(Mode='Smooth', PositionWeighting='Linear', ScaleFactor=0.1,
-                        LaplacianWeighting='Linear Complement'),
+    'smooth-model': ImproveTriangleQualitynoRemesh,
+    'cad-model': ImproveTriangleQualitynoRemeshCAD,
+    'denoise': SmoothandFair,
+    'denoise-cad': SmoothandFairCAD,
 }
 
 
@@ -77,8 +74,8 @@ def parse_arguments():
 
 
 def chosen_properties(arguments):
-    """The preset, overridden by the options that were given."""
-    properties = dict(PRESETS[arguments.preset])
+    """The properties that differ from the preset."""
+    properties = {}
     for name, (_, values) in CHOICES.items():
         if getattr(arguments, name):
             properties[name] = values[getattr(arguments, name)]
@@ -189,7 +186,7 @@ def main():
     mesh = open_mesh(arguments.mesh)
     mesh.UpdatePipeline()
 
-    optimizer = LaplacianMeshOptimizer(Input=mesh, **chosen_properties(arguments))
+    optimizer = PRESETS[arguments.preset](Input=mesh, **chosen_properties(arguments))
     start = time.perf_counter()
     optimizer.UpdatePipeline()
     report(optimizer, mesh, time.perf_counter() - start)

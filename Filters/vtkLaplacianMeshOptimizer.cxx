@@ -4,6 +4,7 @@
 
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerEngine.h"
+#include "Private/PointSelection.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkCellData.h"
@@ -16,6 +17,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <cmath>
@@ -67,15 +69,19 @@ struct vtkLaplacianMeshOptimizer::Internals
   /// \throw lmo::InputError if the chosen one does not exist.
   vtkDataArray* FindArray(int index, vtkPolyData* input) const;
 
-  lmo::VertexArrays ReadArrays(vtkPolyData* input) const;
+  /// \param selection may be null
+  lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
 
+  /// \param selection may be null
   /// \param pieces in which the whole surface comes
-  void Execute(vtkPolyData* input, vtkPolyData* output, int pieces);
+  void Execute(vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces);
 
   void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
-  /// Sets the figures that the Get methods return and adds them to the field data.
-  void WriteFigures(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
+  /// Sets the figures that the Get methods return.
+  void SetFigures(const lmo::OptimizerResult& result) const;
+
+  void WriteFigures(vtkFieldData* fieldData) const;
 };
 
 vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
@@ -83,6 +89,7 @@ vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
   : State(new Internals(this))
 {
+  this->SetNumberOfInputPorts(2);
 }
 
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
@@ -95,6 +102,7 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   CheckEnumeration("PositionWeighting", filter.PositionWeighting, 5);
   CheckEnumeration("LaplacianWeighting", filter.LaplacianWeighting, 5);
   CheckEnumeration("BoundaryCondition", filter.BoundaryCondition, 3);
+  CheckEnumeration("SelectionUse", filter.SelectionUse, 2);
   CheckEnumeration("SolverType", filter.SolverType, 3);
   CheckNumber("ScaleFactor", filter.ScaleFactor, filter.ScaleFactor > 0, "more than 0");
   CheckNumber("GaussianWidth", filter.GaussianWidth, filter.GaussianWidth > 0, "more than 0");
@@ -147,7 +155,8 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPoly
   return array;
 }
 
-lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(vtkPolyData* input) const
+lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(
+  vtkPolyData* input, vtkSelection* selection) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   const vtkIdType points = input->GetNumberOfPoints();
@@ -174,6 +183,16 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(vtkPolyData* 
   {
     arrays.fixedPoints = lmo::ReadScalars(array, points);
   }
+  if (selection)
+  {
+    lmo::Vector isFixed = lmo::SelectedPoints(input, selection);
+    if (filter.SelectionUse == ONLY_SELECTED_POINTS_MOVE)
+    {
+      isFixed = 1 - isFixed.array();
+    }
+    arrays.fixedPoints = arrays.fixedPoints ? lmo::Vector(arrays.fixedPoints->cwiseAbs() + isFixed)
+                                            : std::move(isFixed);
+  }
   return arrays;
 }
 
@@ -183,7 +202,7 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkLaplacianMeshOptimizer::Ma
 }
 
 void vtkLaplacianMeshOptimizer::Internals::Execute(
-  vtkPolyData* input, vtkPolyData* output, int pieces)
+  vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces)
 {
   if (!this->Engine)
   {
@@ -196,7 +215,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
     [&]
     {
       options = this->ReadOptions();
-      arrays = this->ReadArrays(input);
+      arrays = this->ReadArrays(input, selection);
     });
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
   options.computeNormals = this->Filter->ComputeNormals && hasNormals;
@@ -214,7 +233,8 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   }
   monitor->Begin("Writing the result");
   output->ShallowCopy(input);
-  this->WriteFigures(result, output->GetFieldData());
+  this->SetFigures(result);
+  this->WriteFigures(output->GetFieldData());
   this->WritePoints(std::move(result), input, output);
 }
 
@@ -239,8 +259,7 @@ void vtkLaplacianMeshOptimizer::Internals::WritePoints(
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, output);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
-  const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
+void vtkLaplacianMeshOptimizer::Internals::SetFigures(const lmo::OptimizerResult& result) const
 {
   const lmo::SurfaceComparison& comparison = result.comparison;
   vtkLaplacianMeshOptimizer& filter = *this->Filter;
@@ -254,6 +273,11 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
   filter.FlippedTriangles = comparison.flippedTriangles;
   filter.Iterations = result.iterations;
   filter.RelativeResidual = result.relativeResidual;
+}
+
+void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData) const
+{
+  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   const std::pair<const char*, double> figures[] = {
     { "MeanRadiusRatio", filter.MeanRadiusRatio },
     { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
@@ -272,17 +296,50 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(
   }
 }
 
+void vtkLaplacianMeshOptimizer::SetSelectionConnection(vtkAlgorithmOutput* selection)
+{
+  this->SetInputConnection(1, selection);
+}
+
+void vtkLaplacianMeshOptimizer::SetSelectionData(vtkSelection* selection)
+{
+  this->SetInputData(1, selection);
+}
+
+int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, info);
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+int vtkLaplacianMeshOptimizer::RequestInformation(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // ParaView reads the figures before it executes the filter again.
+  lmo::OptimizerResult none;
+  none.comparison.before = std::make_shared<lmo::MeshQuality>();
+  this->State->SetFigures(none);
+  return this->Superclass::RequestInformation(request, inputVector, outputVector);
+}
+
 int vtkLaplacianMeshOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkSelection* selection = vtkSelection::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* request = outputVector->GetInformationObject(0);
   const int pieces = request->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())
                        ? request->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
                        : 1;
-  return lmo::RunFilter(this, input, output, [&] { this->State->Execute(input, output, pieces); });
+  return lmo::RunFilter(
+    this, input, output, [&] { this->State->Execute(input, selection, output, pieces); });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
@@ -298,6 +355,7 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TangentPlaneConstraints: " << this->TangentPlaneConstraints << "\n";
   os << indent << "TangentPlaneWeight: " << this->TangentPlaneWeight << "\n";
   os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
+  os << indent << "SelectionUse: " << this->SelectionUse << "\n";
   os << indent << "SolverType: " << this->SolverType << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";

@@ -20,16 +20,19 @@
  * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
  * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
  *
- * Input: triangles and triangle strips; vertices and lines pass through and their points do not
- * move unless a triangle uses them too. Polygons with more corners are an error: use
- * vtkTriangleFilter first. Points with float coordinates give float coordinates, all others double.
- * A composite data set is treated block by block, each with statistics of its own. A surface in
- * pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the program
- * has the module VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
+ * Input: polygons and triangle strips; vertices and lines pass through and their points do not move
+ * unless a polygon uses them too. Polygons with more than three corners count as triangles, into
+ * which they are cut inside of the filter only: quads along the diagonal that is inside, the
+ * shorter one if both are; larger polygons, which may be concave, as vtkPolygon does. Points with
+ * float coordinates give float coordinates, all others double. A composite data set is treated
+ * block by block, each with statistics of its own. A surface in pieces on several processes needs
+ * vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
+ * VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
- *   (degenerate) to 1 (equilateral); the minimum over its triangles for a strip; -1 for vertices
+ *   (degenerate) to 1 (equilateral); for a polygon or a strip the minimum over its triangles, those
+ *   into which the input was cut; -1 for vertices
  *   and lines.
  * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the triangles at the point; -1
  *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
@@ -50,6 +53,8 @@
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
+
+class vtkSelection;
 
 class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer : public vtkPolyDataAlgorithm
 {
@@ -96,6 +101,12 @@ public:
     FIXED = 0,
     SLIDING = 1,
     FREE = 2
+  };
+
+  enum SelectionUseType
+  {
+    SELECTED_POINTS_STAY = 0,
+    ONLY_SELECTED_POINTS_MOVE = 1
   };
 
   enum SolverTypeType
@@ -223,6 +234,26 @@ public:
 
   ///@{
   /**
+   * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
+   * for its points. SelectionUse says what becomes of them. Points that FIXED_POINT_ARRAY or
+   * BoundaryCondition hold do not move either way. Selections that are queries, name blocks of a
+   * composite data set, or mix points and cells are errors.
+   */
+  void SetSelectionConnection(vtkAlgorithmOutput* selection);
+  void SetSelectionData(vtkSelection* selection);
+  ///@}
+
+  ///@{
+  /**
+   * SELECTED_POINTS_STAY (0): the selected points do not move. ONLY_SELECTED_POINTS_MOVE (1): all
+   * others do not. Without a selection on port 1 this has no effect. Default: SELECTED_POINTS_STAY.
+   */
+  vtkSetMacro(SelectionUse, int);
+  vtkGetMacro(SelectionUse, int);
+  ///@}
+
+  ///@{
+  /**
    * DIRECT (1): factorise the normal equations. ITERATIVE (2): conjugate gradients without forming
    * them; with strong smoothing or very thin triangles they switch to a multigrid preconditioner or
    * to a factorisation of a smaller matrix. AUTOMATIC (0): iterative, and direct if that does not
@@ -264,8 +295,8 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Valid after Update(), as all figures below; those of the last block if the input is
-   * composite.
+   * triangles. Valid after Update(), as all figures below, and undefined, -1 or 0, when the output
+   * is out of date; those of the last block if the input is composite.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);
@@ -307,6 +338,8 @@ protected:
   vtkLaplacianMeshOptimizer();
   ~vtkLaplacianMeshOptimizer() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /// What the input is optimized by, made before the first execution.
@@ -323,6 +356,7 @@ protected:
   vtkTypeBool TangentPlaneConstraints = 0;
   double TangentPlaneWeight = 1;
   int BoundaryCondition = FIXED;
+  int SelectionUse = SELECTED_POINTS_STAY;
   int SolverType = AUTOMATIC;
   double Tolerance = 1e-6;
   int MaximumNumberOfIterations = 5000;

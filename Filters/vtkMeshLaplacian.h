@@ -15,9 +15,9 @@
  * - `VoronoiArea`: mixed Voronoi area (Meyer et al. 2003); their sum is the area of the surface.
  *
  * Boundary points take the mean curvatures and the Gaussian curvature as means over their inner
- * neighbours, 0 if they have none. Points that no triangle uses have 0 everywhere. Vertices, lines
- * and triangle strips may stand beside the triangles; polygons with more than three corners are an
- * error: use vtkTriangleFilter first.
+ * neighbours, 0 if they have none. Points that no triangle uses have 0 everywhere. Vertices and
+ * lines may stand beside the polygons and triangle strips, which count as triangles, cut as
+ * vtkLaplacianMeshOptimizer does.
  *
  * @sa vtkLaplacianMeshOptimizer vtkCurvatures
  */

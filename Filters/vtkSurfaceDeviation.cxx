@@ -47,8 +47,8 @@ public:
       vtkNew<vtkPolyData> triangles;
       triangles->SetLines(this->EdgesOfFlatTriangles());
       triangles->SetPoints(input->GetPoints());
-      triangles->SetPolys(input->GetPolys());
-      triangles->SetStrips(input->GetStrips());
+      triangles->SetPolys(
+        this->Mesh.triangleCells.cells.empty() ? input->GetPolys() : this->TriangleCells().Get());
       this->Locator->SetDataSet(triangles);
       this->Locator->BuildLocator();
     }
@@ -102,6 +102,16 @@ public:
   }
 
 private:
+  vtkSmartPointer<vtkCellArray> TriangleCells() const
+  {
+    auto cells = vtkSmartPointer<vtkCellArray>::New();
+    for (const auto& T : this->Mesh.triangles.rowwise())
+    {
+      cells->InsertNextCell({ T[0], T[1], T[2] });
+    }
+    return cells;
+  }
+
   /// The locator does not find triangles without area; it does find their edges.
   vtkSmartPointer<vtkCellArray> EdgesOfFlatTriangles() const
   {

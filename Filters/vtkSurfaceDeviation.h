@@ -11,10 +11,9 @@
  * points.
  *
  * Output: the input of port 0 with point array `Distance` (to the reference, in the mesh's unit)
- * and field arrays of one value with the names of the Get methods. Both inputs may hold vertices,
- * lines and triangle strips; polygons with more than three corners are an error: use
- * vtkTriangleFilter first. A reference without triangles is an error unless the input has none
- * either.
+ * and field arrays of one value with the names of the Get methods. Both inputs may hold vertices
+ * and lines; polygons and triangle strips count as triangles, cut as vtkLaplacianMeshOptimizer
+ * does. A reference without triangles is an error unless the input has none either.
  *
  * @sa vtkHausdorffDistancePointSetFilter
  */

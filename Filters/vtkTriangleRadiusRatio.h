@@ -9,11 +9,11 @@
  * an equilateral, 0 for a degenerate triangle. It is the inverse of vtkMeshQuality's RADIUS_RATIO
  * and is finite for every triangle of every size.
  *
- * Output: the input, which may have vertices, lines and triangle strips beside its triangles, with
- * cell array `RadiusRatio` (a strip has the minimum over its triangles, vertices and lines have
- * -1), point array `RadiusRatio` (minimum over the triangles at the point, -1 if there are none),
- * and field arrays `MeanRadiusRatio` and `MinimumRadiusRatio` of one value. Polygons with more than
- * three corners are an error: use vtkTriangleFilter first.
+ * Output: the input, which may have vertices, lines, triangle strips and larger polygons beside its
+ * triangles, with cell array `RadiusRatio` (strips and polygons have the minimum over their
+ * triangles, cut as vtkLaplacianMeshOptimizer does; vertices and lines have -1), point array
+ * `RadiusRatio` (minimum over the triangles at the point, -1 if there are none), and field arrays
+ * `MeanRadiusRatio` and `MinimumRadiusRatio` of one value.
  */
 #ifndef vtkTriangleRadiusRatio_h
 #define vtkTriangleRadiusRatio_h

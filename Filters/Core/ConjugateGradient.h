@@ -41,7 +41,8 @@ public:
   /// Improves \a solution until it meets the tolerance, the
   /// iterations are used up, the precision of Scalar allows no progress or more than \a affordable
   /// further iterations are predicted. Predictions are low where the residual falls ever slower.
-  /// \throw Cancelled if the monitor says so; it is asked in every iteration.
+  /// \throw Cancelled if the monitor says so; it is asked in every iteration, and more
+  /// often where they take long.
   void Run(const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution);
 
 private:
@@ -58,14 +59,14 @@ private:
 
   /// Computes the residual of d and its inner product with M^-1 r.
   /// \return its norm relative to |b|
-  double ReplaceResidual(const Points& d);
+  double ReplaceResidual(const Points& d, Monitor& monitor);
 
   /// r M^-1 r
   Dots ResidualDots();
 
   /// r -= alpha A p
   /// \return the norm of r
-  double StepResidual();
+  double StepResidual(Monitor& monitor);
 
   /// d += the steps since the last call
   void Collect(Points& d);

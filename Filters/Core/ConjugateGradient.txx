@@ -53,7 +53,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
       direction.col(i).setZero();
       steps.col(i).setZero();
     });
-  this->ReplaceResidual(solution.displacement);
+  this->ReplaceResidual(solution.displacement, monitor);
   this->UpdateDirection(Dots::Zero());
   if (solution.displacement.rows() == 0)
   {
@@ -64,7 +64,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
   {
     this->Alpha = DivideDots(this->Rho, this->A.Multiply(this->Direction, this->Product));
     const Dots oldRho = this->Rho;
-    const double norm = this->StepResidual();
+    const double norm = this->StepResidual(monitor);
     ++solution.iterations;
     monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
     norms.push_back(norm);
@@ -77,7 +77,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
     {
       const double old = solution.relativeResidual;
       this->Collect(solution.displacement);
-      solution.relativeResidual = this->ReplaceResidual(solution.displacement);
+      solution.relativeResidual = this->ReplaceResidual(solution.displacement, monitor);
       if (isHopeless || !(solution.relativeResidual < old / 2))
       {
         break;
@@ -91,7 +91,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d)
+double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d, Monitor& monitor)
 {
   const double unit = 1 / this->Scale;
   const double norm = ComputeResidual(this->Problem, d,
@@ -100,7 +100,7 @@ double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& 
       const Vector3 scaled = unit * residual;
       packed.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
     });
-  this->M.Prepare(this->Residual);
+  this->M.Prepare(this->Residual, monitor);
   this->Rho = this->ResidualDots();
   return norm * unit;
 }
@@ -118,7 +118,7 @@ Dots ConjugateGradient<Scalar, Preconditioner>::ResidualDots()
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::StepResidual()
+double ConjugateGradient<Scalar, Preconditioner>::StepResidual(Monitor& monitor)
 {
   struct Sums
   {
@@ -149,7 +149,7 @@ double ConjugateGradient<Scalar, Preconditioner>::StepResidual()
   }
   else
   {
-    this->M.Prepare(this->Residual);
+    this->M.Prepare(this->Residual, monitor);
     this->Rho = this->ResidualDots();
   }
   return std::sqrt(sums.squares.Get().sum());

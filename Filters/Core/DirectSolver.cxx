@@ -4,6 +4,7 @@
 
 #include "Exceptions.h"
 #include "Ordering.h"
+#include "RunAside.h"
 
 #ifdef LMO_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
@@ -131,7 +132,9 @@ SparseMatrix NormalMatrix(const LeastSquaresProblem& problem)
   return problem.IsCoupled() ? FormCoupledMatrix(problem, A) : A;
 }
 
-Points SolveDirectly(const LeastSquaresProblem& problem)
+namespace
+{
+Points FactoriseAndSolve(const LeastSquaresProblem& problem)
 {
   const bool isCoupled = problem.IsCoupled();
   const Factorisation factorisation(NormalMatrix(problem));
@@ -160,5 +163,12 @@ Points SolveDirectly(const LeastSquaresProblem& problem)
     ThrowSingular();
   }
   return d;
+}
+}
+
+Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor)
+{
+  return RunAside(monitor, [copy = std::make_shared<const LeastSquaresProblem>(problem)]
+    { return FactoriseAndSolve(*copy); });
 }
 }

@@ -4,6 +4,7 @@
 #define lmo_DirectSolver_h
 
 #include "LeastSquaresProblem.h"
+#include "Monitor.h"
 
 namespace lmo
 {
@@ -13,8 +14,10 @@ namespace lmo
 SparseMatrix NormalMatrix(const LeastSquaresProblem& problem);
 
 /// Solves the normal equations of a problem by a sparse factorisation: n x n for x, y and z at
-/// once, or 3n x 3n where they are coupled. \throw SolverError if the matrix is singular.
-Points SolveDirectly(const LeastSquaresProblem& problem);
+/// once, or 3n x 3n where they are coupled.
+/// \throw SolverError if the matrix is singular.
+/// \throw Cancelled if the monitor says so.
+Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor);
 }
 
 #endif

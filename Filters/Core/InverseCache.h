@@ -13,11 +13,14 @@ namespace lmo
 class InverseCache
 {
 public:
-  std::shared_ptr<Multigrid> GetMultigrid(std::shared_ptr<const ShiftedStiffness> matrix);
+  /// \throw Cancelled if the monitor says so.
+  std::shared_ptr<Multigrid> GetMultigrid(
+    std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
 
   /// \throw SolverError if the matrix is singular.
+  /// \throw Cancelled if the monitor says so.
   std::shared_ptr<StiffnessFactorisation> GetFactorisation(
-    std::shared_ptr<const ShiftedStiffness> matrix);
+    std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
 
   /// How many have been made so far.
   int GetNumberOfHierarchies() const { return this->NumberOfHierarchies; }

@@ -80,7 +80,8 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   }
   monitor.Report(0);
   const auto matrix = std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness());
-  Iterate(A, SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix)),
+  Iterate(A,
+    SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix, monitor)),
     options, AffordableMultigridIterations, monitor, solution);
   if (IsFinished(solution, options))
   {
@@ -89,7 +90,7 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   monitor.Report(0);
   Iterate(A,
     SquaredPreconditioner<StiffnessFactorisation>(
-      problem, matrix, inverses.GetFactorisation(matrix)),
+      problem, matrix, inverses.GetFactorisation(matrix, monitor)),
     options, options.maximumIterations, monitor, solution);
 }
 
@@ -104,11 +105,11 @@ void IterateInDouble(const LeastSquaresProblem& problem, const SolverOptions& op
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
 /// the caller sees its residual.
-void ImproveDirectly(const LeastSquaresProblem& problem, Solution& solution)
+void ImproveDirectly(const LeastSquaresProblem& problem, Monitor& monitor, Solution& solution)
 {
   try
   {
-    Points direct = SolveDirectly(problem);
+    Points direct = SolveDirectly(problem, monitor);
     const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
     if (residual < solution.relativeResidual)
     {
@@ -159,7 +160,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   if (type == SolverType::DIRECT)
   {
     monitor.Report(0);
-    solution.displacement = SolveDirectly(problem);
+    solution.displacement = SolveDirectly(problem, monitor);
     solution.relativeResidual =
       ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
     return solution;
@@ -178,7 +179,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   }
   if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
   {
-    ImproveDirectly(problem, solution);
+    ImproveDirectly(problem, monitor, solution);
   }
   else if (!IsFinished(solution, options))
   {

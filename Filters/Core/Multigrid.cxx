@@ -53,24 +53,24 @@ private:
 };
 }
 
-Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix)
+Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
   : Matrix(std::move(matrix))
 {
-  SparseRows coarse = this->AddLevel(*this->Matrix);
+  SparseRows coarse = this->AddLevel(*this->Matrix, monitor);
   for (Index i = 0; i < this->Matrix->Size(); ++i)
   {
     this->Levels[0].smootherScale[i] *= !this->Matrix->isLeftOut[i];
   }
   while (coarse.rows() > 0)
   {
-    SparseRows coarser = this->AddLevel(SparseRowList(coarse));
+    SparseRows coarser = this->AddLevel(SparseRowList(coarse), monitor);
     this->Levels.back().A = std::move(coarse);
     coarse = std::move(coarser);
   }
 }
 
 template <typename Rows>
-SparseRows Multigrid::AddLevel(const Rows& matrix)
+SparseRows Multigrid::AddLevel(const Rows& matrix, Monitor& monitor)
 {
   const Index size = matrix.Size();
   this->Levels.emplace_back();
@@ -82,6 +82,7 @@ SparseRows Multigrid::AddLevel(const Rows& matrix)
     this->FactoriseCoarsest(matrix);
     return {};
   }
+  monitor.Report(0);
   level.residual.resize(4, size);
   level.step.resize(4, size);
   level.nextStep.resize(4, size);
@@ -89,6 +90,7 @@ SparseRows Multigrid::AddLevel(const Rows& matrix)
   level.coarseSolution.resize(4, aggregation.count);
   level.prolongation = SmoothedProlongation(matrix, level.smootherScale, aggregation);
   level.restriction = level.prolongation.transpose();
+  monitor.Report(0);
   constexpr Index expectedEntries = 8;
   const SparseRows product = Multiply(matrix, level.prolongation, expectedEntries);
   return Multiply(SparseRowList(level.restriction), product, 2 * expectedEntries);
@@ -107,8 +109,10 @@ void Multigrid::FactoriseCoarsest(const Rows& matrix)
   this->Coarsest.compute(coarsest);
 }
 
-void Multigrid::Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+void Multigrid::Apply(
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
 {
+  monitor.Report(0);
   this->CycleFrom(0, rightHandSide, solution);
 }
 

@@ -3,6 +3,7 @@
 #ifndef lmo_Multigrid_h
 #define lmo_Multigrid_h
 
+#include "Monitor.h"
 #include "ShiftedStiffness.h"
 #include "SmoothedAggregation.h"
 
@@ -17,10 +18,13 @@ class Multigrid
 public:
   using Values = Eigen::ArrayXf;
 
-  explicit Multigrid(std::shared_ptr<const ShiftedStiffness> matrix);
+  /// \throw Cancelled if the monitor says so; it is asked a few times for each level.
+  Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
 
   /// solution = approximately (K + R)^-1 rightHandSide
-  void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+  /// \throw Cancelled if the monitor says so.
+  void Apply(
+    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
 
   const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
@@ -42,7 +46,7 @@ private:
   /// Adds a level but for its matrix.
   /// \return the matrix of the next, coarser level; empty if there is none
   template <typename Rows>
-  SparseRows AddLevel(const Rows& matrix);
+  SparseRows AddLevel(const Rows& matrix, Monitor& monitor);
 
   template <typename Rows>
   void FactoriseCoarsest(const Rows& matrix);

@@ -3,6 +3,7 @@
 #ifndef lmo_Preconditioner_h
 #define lmo_Preconditioner_h
 
+#include "Monitor.h"
 #include "PackedEquations.h"
 
 namespace lmo
@@ -18,7 +19,7 @@ public:
 
   explicit JacobiPreconditioner(const LeastSquaresProblem& problem);
 
-  void Prepare(const PackedPoints<Scalar>&) {}
+  void Prepare(const PackedPoints<Scalar>&, Monitor&) {}
 
   /// Cheap to copy.
   class Rows

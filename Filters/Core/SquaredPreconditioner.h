@@ -13,7 +13,8 @@ namespace lmo
 {
 /// M = (K + R) Q (K + R) for the vertices that are free to move, the diagonal for the others. The
 /// couplings of x, y and z are left to the iteration.
-/// \tparam Inverse (K + R)^-1 or a symmetric approximation: Apply(rightHandSide, solution)
+/// \tparam Inverse (K + R)^-1 or a symmetric approximation:
+/// Apply(rightHandSide, solution, monitor)
 template <typename Inverse>
 class SquaredPreconditioner
 {
@@ -32,13 +33,14 @@ public:
   }
 
   /// Computes M^-1 residual.
-  void Prepare(const PackedPoints<float>& residual)
+  /// \throw Cancelled if the monitor says so.
+  void Prepare(const PackedPoints<float>& residual, Monitor& monitor)
   {
-    this->Factor->Apply(residual, this->Intermediate);
+    this->Factor->Apply(residual, this->Intermediate, monitor);
     ParallelFor(this->Matrix->Size(),
       [x = View(this->Intermediate), inverseQ = this->Matrix->inverseQ.data()](Index i) mutable
       { x.col(i) *= inverseQ[i]; });
-    this->Factor->Apply(this->Intermediate, this->Result);
+    this->Factor->Apply(this->Intermediate, this->Result, monitor);
   }
 
   /// The rows of M^-1 residual; cheap to copy.

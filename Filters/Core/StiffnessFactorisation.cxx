@@ -57,6 +57,16 @@ SparseMatrix Permuted(const SparseMatrix& lower, const std::vector<Index>& place
     lower.selfadjointView<Eigen::Lower>().twistedBy(permutation);
   return permuted;
 }
+
+/// The monitor may cancel between some rows.
+void AskNowAndThen(Monitor& monitor, Index row)
+{
+  constexpr Index often = 1 << 16;
+  if (row % often == 0)
+  {
+    monitor.Report(0);
+  }
+}
 }
 
 StiffnessFactorisation::StiffnessFactorisation(
@@ -82,7 +92,7 @@ StiffnessFactorisation::StiffnessFactorisation(
 }
 
 void StiffnessFactorisation::Apply(
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
 {
   using Row = PackedRow<float>;
   const std::vector<Index>& placeOf = *this->PlaceOf;
@@ -94,6 +104,7 @@ void StiffnessFactorisation::Apply(
   const float* entries = this->Entries.data();
   for (Index i = 0; i < size; ++i)
   {
+    AskNowAndThen(monitor, i);
     const Row xi = x.col(i);
     for (Index k = offsets[i]; k < offsets[i + 1]; ++k)
     {
@@ -103,6 +114,7 @@ void StiffnessFactorisation::Apply(
   }
   for (Index i = size - 1; i >= 0; --i)
   {
+    AskNowAndThen(monitor, i);
     Row xi = x.col(i);
     for (Index k = offsets[i]; k < offsets[i + 1]; ++k)
     {

@@ -3,6 +3,7 @@
 #ifndef lmo_StiffnessFactorisation_h
 #define lmo_StiffnessFactorisation_h
 
+#include "Monitor.h"
 #include "ShiftedStiffness.h"
 
 namespace lmo
@@ -19,7 +20,9 @@ public:
     std::shared_ptr<const ShiftedStiffness> matrix, const StiffnessFactorisation* previous);
 
   /// solution = (K + R)^-1 rightHandSide
-  void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+  /// \throw Cancelled if the monitor says so.
+  void Apply(
+    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
 
   const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
 

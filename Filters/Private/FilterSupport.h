@@ -12,6 +12,7 @@
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <new>
@@ -47,18 +48,25 @@ protected:
   void ShowProgress(double fraction) override
   {
     constexpr double step = 0.01;
-    if (fraction >= this->Shown + step)
+    constexpr std::chrono::milliseconds longestSilence(100);
+    const auto now = Clock::now();
+    // Observers can ask to stop only when they hear something.
+    if (fraction >= this->Shown + step || now >= this->ShownAt + longestSilence)
     {
-      this->Shown = fraction;
-      this->Filter->UpdateProgress(fraction);
+      this->Shown = std::max(this->Shown, fraction);
+      this->ShownAt = now;
+      this->Filter->UpdateProgress(this->Shown);
     }
   }
 
   bool IsCancelled() override { return IsAborted(this->Filter); }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   vtkAlgorithm* Filter;
   double Shown = -1;
+  Clock::time_point ShownAt = Clock::now();
 };
 
 /// True if the user chose a backend of vtkSMPTools; VTK's default is often the sequential one.

@@ -4,6 +4,7 @@
 
 #include "../Core/Exceptions.h"
 #include "../Core/Parallel.h"
+#include "CellTriangulation.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
@@ -126,6 +127,9 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
   return rows;
 }
 
+constexpr const char* NoSuchPoint = "cells name a point that does not exist";
+constexpr const char* RepairCells = "Repair the cells of the input.";
+
 /// Copies the connectivity of a vtkCellArray that holds nothing but triangles.
 struct CopyTriangles
 {
@@ -161,41 +165,36 @@ struct CopyTriangles
   }
 };
 
-/// Calls visit(cell, size, ids) for each cell.
-template <typename Visit>
-void ForEachCell(vtkCellArray* cells, const Visit& visit)
+/// \throw InputError for cells with fewer points than \a leastSize and for ids of no point.
+void CheckCells(vtkCellArray* cells, vtkIdType firstCell, vtkIdType leastSize, vtkIdType points)
 {
+  Faults tooSmall;
+  Faults outOfRange;
   vtkIdType size = 0;
   const vtkIdType* ids = nullptr;
   for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
   {
     cells->GetCellAtId(cell, size, ids);
-    visit(cell, size, ids);
+    if (size < leastSize)
+    {
+      tooSmall.Add(firstCell + cell);
+    }
+    if (std::any_of(ids, ids + size, [&](vtkIdType id) { return id < 0 || id >= points; }))
+    {
+      outOfRange.Add(firstCell + cell);
+    }
   }
+  tooSmall.ThrowIfAny("polygons have fewer than three corners", "cell",
+    "Remove them, for example with vtkCleanPolyData.");
+  outOfRange.ThrowIfAny(NoSuchPoint, "cell", RepairCells);
 }
 
-void ReadPolygons(vtkCellArray* polygons, vtkIdType firstCell, vtkIdType points,
-  Triangles& triangles, Faults& outOfRange)
+/// The polygons if they are triangles.
+/// \throw InputError for ids of no point.
+Triangles ReadTriangles(vtkCellArray* polygons, vtkIdType firstCell, vtkIdType points)
 {
-  if (polygons->GetNumberOfCells() == 0)
-  {
-    return;
-  }
-  if (polygons->IsHomogeneous() != 3)
-  {
-    Faults notTriangles;
-    ForEachCell(polygons,
-      [&](vtkIdType cell, vtkIdType size, const vtkIdType*)
-      {
-        if (size != 3)
-        {
-          notTriangles.Add(firstCell + cell);
-        }
-      });
-    notTriangles.ThrowIfAny("polygons have other than three corners", "cell",
-      "Apply vtkTriangleFilter (Triangulate in ParaView) first.");
-  }
-  triangles.resize(polygons->GetNumberOfCells(), 3);
+  Triangles triangles(polygons->GetNumberOfCells(), 3);
+  Faults outOfRange;
   vtkDataArray* connectivity = polygons->GetConnectivityArray();
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Integrals>::Execute(
         connectivity, CopyTriangles{}, points, triangles, outOfRange))
@@ -203,40 +202,48 @@ void ReadPolygons(vtkCellArray* polygons, vtkIdType firstCell, vtkIdType points,
     CopyTriangles{}(connectivity, points, triangles, outOfRange);
   }
   outOfRange.first += outOfRange.count > 0 ? firstCell : 0;
+  outOfRange.ThrowIfAny(NoSuchPoint, "cell", RepairCells);
+  return triangles;
 }
 
-/// Appends the triangles of the strips, each of which is a cell of its own.
-void ReadStrips(vtkCellArray* strips, vtkIdType firstCell, SurfaceMesh& mesh, Faults& outOfRange)
+/// Appends triangles and their cells; the cells of those that are there become explicit.
+void Append(const CellTriangles& more, vtkIdType firstCell, SurfaceMesh& mesh)
 {
-  const vtkIdType points = mesh.points.rows();
-  std::vector<Index> corners;
   std::vector<vtkIdType>& cells = mesh.triangleCells.cells;
-  for (Index t = 0; t < mesh.triangles.rows(); ++t)
+  const Eigen::Index count = mesh.triangles.rows();
+  for (auto t = static_cast<Eigen::Index>(cells.size()); t < count; ++t)
   {
     cells.push_back(mesh.triangleCells.firstPolygon + t);
   }
-  ForEachCell(strips,
-    [&](vtkIdType cell, vtkIdType size, const vtkIdType* ids)
-    {
-      if (std::any_of(ids, ids + size, [&](vtkIdType id) { return id < 0 || id >= points; }))
-      {
-        outOfRange.Add(firstCell + cell);
-        return;
-      }
-      for (vtkIdType k = 0; k + 2 < size; ++k)
-      {
-        // Every second triangle of a strip is stored clockwise.
-        const vtkIdType odd = k % 2;
-        for (const vtkIdType place : { k, k + 1 + odd, k + 2 - odd })
-        {
-          corners.push_back(static_cast<Index>(ids[place]));
-        }
-        cells.push_back(firstCell + cell);
-      }
-    });
-  const Eigen::Index polygons = mesh.triangles.rows();
-  mesh.triangles.conservativeResize(polygons + Eigen::Index(corners.size() / 3), 3);
-  std::copy(corners.begin(), corners.end(), mesh.triangles.data() + 3 * polygons);
+  for (const vtkIdType cell : more.cells)
+  {
+    cells.push_back(firstCell + cell);
+  }
+  mesh.triangles.conservativeResize(count + more.triangles.rows(), 3);
+  mesh.triangles.bottomRows(more.triangles.rows()) = more.triangles;
+}
+
+void ReadCells(vtkPolyData* input, SurfaceMesh& mesh)
+{
+  const vtkIdType points = input->GetNumberOfPoints();
+  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
+  const vtkIdType firstStrip = firstPolygon + input->GetNumberOfPolys();
+  vtkCellArray* polygons = input->GetPolys();
+  mesh.triangleCells.firstPolygon = firstPolygon;
+  if (polygons->IsHomogeneous() == 3)
+  {
+    mesh.triangles = ReadTriangles(polygons, firstPolygon, points);
+  }
+  else if (polygons->GetNumberOfCells() > 0)
+  {
+    CheckCells(polygons, firstPolygon, 3, points);
+    Append(TriangulatePolygons(polygons, input->GetPoints()), firstPolygon, mesh);
+  }
+  if (input->GetNumberOfStrips() > 0)
+  {
+    CheckCells(input->GetStrips(), firstStrip, 0, points);
+    Append(TriangulateStrips(input->GetStrips()), firstStrip, mesh);
+  }
 }
 }
 
@@ -258,17 +265,7 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
   FindHuge(mesh.points)
     .ThrowIfAny("points have coordinates above 1e70", "point", "Remove or scale them.");
 
-  const vtkIdType firstPolygon = input->GetNumberOfVerts() + input->GetNumberOfLines();
-  mesh.triangleCells.firstPolygon = firstPolygon;
-  Faults outOfRange;
-  ReadPolygons(
-    input->GetPolys(), firstPolygon, input->GetNumberOfPoints(), mesh.triangles, outOfRange);
-  if (input->GetNumberOfStrips() > 0)
-  {
-    ReadStrips(input->GetStrips(), firstPolygon + input->GetNumberOfPolys(), mesh, outOfRange);
-  }
-  outOfRange.ThrowIfAny("triangles or strips name a point that does not exist", "cell",
-    "Repair the cells of the input.");
+  ReadCells(input, mesh);
   return mesh;
 }
 

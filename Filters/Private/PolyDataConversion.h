@@ -27,7 +27,7 @@ struct TriangleCells
   }
 };
 
-/// The triangles of a vtkPolyData, those of its strips included.
+/// The triangles of a vtkPolyData, those of its polygons and strips included.
 struct SurfaceMesh
 {
   Points points;
@@ -35,8 +35,8 @@ struct SurfaceMesh
   TriangleCells triangleCells;
 };
 
-/// \throw InputError for coordinates that are not finite, polygons that are no triangles and point
-/// ids out of range.
+/// \throw InputError for coordinates that are not finite, polygons with fewer than three corners
+/// and point ids out of range.
 SurfaceMesh ReadMesh(vtkPolyData* input);
 
 /// \throw InputError if the array has not one value per point, or one that is not finite.

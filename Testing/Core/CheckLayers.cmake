@@ -7,6 +7,7 @@ set(layers
   Types
   Exceptions
   Monitor
+  RunAside
   ThreadTeam
   Parallel
   MeshTopology

@@ -71,13 +71,14 @@ template <typename Inverse>
 std::shared_ptr<Inverse> MakeInverse(const System& system)
 {
   InverseCache inverses;
+  Monitor monitor;
   if constexpr (std::is_same_v<Inverse, Multigrid>)
   {
-    return inverses.GetMultigrid(system.matrix);
+    return inverses.GetMultigrid(system.matrix, monitor);
   }
   else
   {
-    return inverses.GetFactorisation(system.matrix);
+    return inverses.GetFactorisation(system.matrix, monitor);
   }
 }
 
@@ -89,7 +90,8 @@ double InverseError(const System& system)
   Random random;
   const PackedPoints<float> x = RandomVector(matrix, random);
   PackedPoints<float> result(4, matrix.Size());
-  MakeInverse<Inverse>(system)->Apply(Multiply(matrix, x), result);
+  Monitor monitor;
+  MakeInverse<Inverse>(system)->Apply(Multiply(matrix, x), result, monitor);
   const auto energy = [&](const PackedPoints<float>& y)
   { return std::sqrt((y * Multiply(matrix, y)).cast<double>().sum()); };
   return energy(x - result) / energy(x);
@@ -106,8 +108,9 @@ double Asymmetry(const System& system)
   PackedPoints<float> Mx(4, matrix.Size());
   PackedPoints<float> My(4, matrix.Size());
   const std::shared_ptr<Inverse> inverse = MakeInverse<Inverse>(system);
-  inverse->Apply(x, Mx);
-  inverse->Apply(y, My);
+  Monitor monitor;
+  inverse->Apply(x, Mx, monitor);
+  inverse->Apply(y, My, monitor);
   const double difference = ((x * My).cast<double>() - (y * Mx).cast<double>()).sum();
   return std::abs(difference) / (x.matrix().norm() * My.matrix().norm());
 }
@@ -141,7 +144,8 @@ void CheckInverses(Checks& c, const std::string& name, const TestMesh& mesh, Lap
     "the factorisation is symmetric: " + name, Asymmetry<StiffnessFactorisation>(system), 1e-5);
   c.Error("a multigrid cycle halves the error: " + name, InverseError<Multigrid>(system), 0.5);
   c.Error("a multigrid cycle is symmetric: " + name, Asymmetry<Multigrid>(system), 1e-5);
-  c.True("there are several levels: " + name, Multigrid(system.matrix).GetNumberOfLevels() > 1);
+  c.True(
+    "there are several levels: " + name, MakeInverse<Multigrid>(system)->GetNumberOfLevels() > 1);
 }
 
 /// Conjugate gradients with the squared preconditioners find the direct solution in few steps.
@@ -149,7 +153,8 @@ void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& 
 {
   const TestMesh mesh = Irregular(HalfSphere(4), 0.005);
   System system(mesh, smoothing);
-  const Points direct = SolveDirectly(system.problem);
+  Monitor monitor;
+  const Points direct = SolveDirectly(system.problem, monitor);
   SolverOptions options;
   options.tolerance = 1e-9;
   options.maximumIterations = 5000;

@@ -93,11 +93,11 @@ void CheckOtherInput(Checks& c)
   c.True("an empty input is no error", Update(filter).errors.empty());
   c.True("an empty input gives an empty output", filter->GetOutput()->GetNumberOfPoints() == 0);
 
-  const auto quads = MakePolyData(Cube());
-  quads->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
-  filter->SetInputData(quads);
-  c.True("quads are an error which names vtkTriangleFilter",
-    Update(filter).errors.find("vtkTriangleFilter") != std::string::npos);
+  const auto edges = MakePolyData(Cube());
+  edges->GetPolys()->InsertNextCell({ 0, 1 });
+  filter->SetInputData(edges);
+  c.True("polygons of two points are an error which names vtkCleanPolyData",
+    Update(filter).errors.find("vtkCleanPolyData") != std::string::npos);
   c.True("after an error the output is empty", IsEmpty(filter->GetOutput()));
 }
 }

@@ -51,6 +51,7 @@ void CheckRefusal(Checks& c, const std::string& what,
   filter->SetGaussianWidth(defaults->GetGaussianWidth());
   filter->SetTangentPlaneWeight(defaults->GetTangentPlaneWeight());
   filter->SetBoundaryCondition(defaults->GetBoundaryCondition());
+  filter->SetSelectionUse(defaults->GetSelectionUse());
   filter->SetSolverType(defaults->GetSolverType());
   filter->SetTolerance(defaults->GetTolerance());
   filter->SetMaximumNumberOfIterations(defaults->GetMaximumNumberOfIterations());
@@ -65,28 +66,26 @@ void CheckRefusal(Checks& c, const std::string& what,
 
 void CheckCells(Checks& c)
 {
-  CheckRefusal(c, "quads",
-    [](Optimizer*, vtkPolyData* input)
-    {
-      input->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
-      input->GetPolys()->InsertNextCell({ 3, 4, 5, 6, 7 });
-    },
-    { "2 polygons", "cell 80", "vtkTriangleFilter" });
   CheckRefusal(c, "polygons of two points",
     [](Optimizer*, vtkPolyData* input) {
       input->GetPolys()->InsertNextCell({ 0, 1 });
     },
-    { "1 polygon", "cell 80", "vtkTriangleFilter" });
+    { "1 polygon", "cell 80", "vtkCleanPolyData" });
   CheckRefusal(c, "point ids that are too large",
     [](Optimizer*, vtkPolyData* input) {
       input->GetPolys()->InsertNextCell({ 0, 1, 42 });
     },
-    { "1 triangle", "cell 80", "Repair" });
+    { "1 cell", "cell 80", "Repair" });
   CheckRefusal(c, "negative point ids",
     [](Optimizer*, vtkPolyData* input) {
       input->GetPolys()->InsertNextCell({ 0, -1, 2 });
     },
-    { "1 triangle", "cell 80", "Repair" });
+    { "1 cell", "cell 80", "Repair" });
+  CheckRefusal(c, "point ids of a quad that are too large",
+    [](Optimizer*, vtkPolyData* input) {
+      input->GetPolys()->InsertNextCell({ 0, 1, 42, 2 });
+    },
+    { "1 cell", "cell 80", "Repair" });
   CheckRefusal(c, "point ids of a strip that are too large",
     [](Optimizer*, vtkPolyData* input)
     {
@@ -94,7 +93,7 @@ void CheckCells(Checks& c)
       strips->InsertNextCell({ 0, 1, 2, 1000 });
       input->SetStrips(strips);
     },
-    { "1 triangle", "cell 80", "Repair" });
+    { "1 cell", "cell 80", "Repair" });
 }
 
 void CheckCoordinates(Checks& c)
@@ -231,6 +230,7 @@ void CheckParameters(Checks& c)
   CheckValues(c, "PositionWeighting", &Optimizer::SetPositionWeighting, enumeration);
   CheckValues(c, "LaplacianWeighting", &Optimizer::SetLaplacianWeighting, enumeration);
   CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
+  CheckValues(c, "SelectionUse", &Optimizer::SetSelectionUse, enumeration);
   CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
   CheckValues(c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, NaN, Infinity });
   CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });

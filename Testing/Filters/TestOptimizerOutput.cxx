@@ -141,6 +141,11 @@ void CheckFigures(Checks& c)
   c.True("the solver iterates", filter->GetIterations() > 0);
   c.True("the residual is within the tolerance",
     filter->GetRelativeResidual() > 0 && filter->GetRelativeResidual() <= 1e-6);
+
+  filter->SetScaleFactor(0.2);
+  filter->UpdateInformation();
+  c.True("figures are undefined when the output is out of date",
+    filter->GetMeanRadiusRatio() == -1 && filter->GetMaximumDisplacement() == 0);
 }
 
 /// A ring whose centre is prescribed to be at (2, 1), across one edge of the ring.

@@ -30,10 +30,10 @@ int TestPrintSelf(int, char*[])
   CheckNames(c, vtkNew<vtkLaplacianMeshOptimizer>(),
     { "Mode", "LaplacianType", "PositionWeighting", "ScaleFactor", "LaplacianWeighting",
       "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints", "TangentPlaneWeight",
-      "BoundaryCondition", "SolverType", "Tolerance", "MaximumNumberOfIterations", "ComputeNormals",
-      "MeanRadiusRatio", "MinimumRadiusRatio", "InputMeanRadiusRatio", "InputMinimumRadiusRatio",
-      "MaximumDisplacement", "RelativeMaximumDisplacement", "RelativeVolumeChange",
-      "FlippedTriangles", "Iterations", "RelativeResidual" });
+      "BoundaryCondition", "SelectionUse", "SolverType", "Tolerance", "MaximumNumberOfIterations",
+      "ComputeNormals", "MeanRadiusRatio", "MinimumRadiusRatio", "InputMeanRadiusRatio",
+      "InputMinimumRadiusRatio", "MaximumDisplacement", "RelativeMaximumDisplacement",
+      "RelativeVolumeChange", "FlippedTriangles", "Iterations", "RelativeResidual" });
   CheckNames(c, vtkNew<vtkSurfaceDeviation>(),
     { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
       "RelativeMeanDistance" });

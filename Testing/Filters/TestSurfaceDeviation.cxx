@@ -219,11 +219,11 @@ void CheckOtherInput(Checks& c)
     c.True(what + " leave the output empty", IsEmpty(filter->GetOutput()));
   };
   const auto cube = MakePolyData(Cube());
-  const auto quads = MakePolyData(Cube());
-  quads->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
+  const auto edges = MakePolyData(Cube());
+  edges->GetPolys()->InsertNextCell({ 0, 1 });
   vtkNew<vtkPolyData> nothing;
-  isRefused("quads", quads, cube, "vtkTriangleFilter");
-  isRefused("quads of the reference", cube, quads, "vtkTriangleFilter");
+  isRefused("polygons of two points", edges, cube, "vtkCleanPolyData");
+  isRefused("polygons of two points of the reference", cube, edges, "vtkCleanPolyData");
   isRefused("references without triangles", cube, nothing, "reference");
   filter->SetNumberOfSamples(0);
   isRefused("0 samples", cube, cube, "NumberOfSamples");

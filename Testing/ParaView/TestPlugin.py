@@ -17,6 +17,7 @@ ENUMERATIONS = {
     "PositionWeighting": ["Constant", "Linear", "CDF", "Anchors", "Array"],
     "LaplacianWeighting": ["Constant", "Linear Complement", "CDF Complement", "Gaussian", "Array"],
     "BoundaryCondition": ["Fixed", "Sliding", "Free"],
+    "SelectionUse": ["Selected Points Stay", "Only Selected Points Move"],
     "SolverType": ["Automatic", "Direct", "Iterative"],
 }
 
@@ -38,12 +39,66 @@ ARRAYS = [
     "FixedPointArray",
 ]
 
+RESULTS = [
+    "InputMeanRadiusRatio",
+    "MeanRadiusRatio",
+    "InputMinimumRadiusRatio",
+    "MinimumRadiusRatio",
+    "MaximumDisplacement",
+    "RelativeMaximumDisplacement",
+    "RelativeVolumeChange",
+    "FlippedTriangles",
+    "Iterations",
+    "RelativeResidual",
+]
+
 PROPERTIES = {
-    "LaplacianMeshOptimizer": ["Input", *ENUMERATIONS, *NUMBERS, *ARRAYS],
+    "LaplacianMeshOptimizer": [
+        "Input",
+        "Selection",
+        *ENUMERATIONS,
+        *NUMBERS,
+        *ARRAYS,
+        *RESULTS,
+        "ReadResults",
+    ],
     "MeshLaplacian": ["Input"],
     "TriangleRadiusRatio": ["Input"],
     "SurfaceDeviation": ["Input", "Reference", "NumberOfSamples"],
 }
+
+
+# XML name, function, settings other than the defaults.
+PRESETS = [
+    ("ImproveTriangleQuality", "ImproveTriangleQualitynoRemesh", {}),
+    (
+        "ImproveTriangleQualityCAD",
+        "ImproveTriangleQualitynoRemeshCAD",
+        {"PositionWeighting": "Linear", "LaplacianWeighting": "Linear Complement"},
+    ),
+    (
+        "SmoothAndFair",
+        "SmoothandFair",
+        {
+            "Mode": "Smooth",
+            "LaplacianType": "Cotangent",
+            "ScaleFactor": 0.3,
+            "LaplacianWeighting": "CDF Complement",
+        },
+    ),
+    (
+        "SmoothAndFairCAD",
+        "SmoothandFairCAD",
+        {
+            "Mode": "Smooth",
+            "PositionWeighting": "Linear",
+            "ScaleFactor": 0.1,
+            "LaplacianWeighting": "Linear Complement",
+        },
+    ),
+]
+
+MENU = [*PROPERTIES, *(name for name, _, _ in PRESETS)]
 
 
 def proxy_class(name):
@@ -84,6 +139,19 @@ def figure(proxy, name):
     return fetched(proxy).GetFieldData().GetArray(name).GetValue(0)
 
 
+def all_points(proxy):
+    return set(range(fetched(proxy).GetNumberOfPoints()))
+
+
+def moved_points(proxy):
+    return set(np.flatnonzero(point_array(proxy, "Displacement").any(axis=1)))
+
+
+def points_of_cell(proxy, cell):
+    ids = fetched(proxy).GetCell(cell).GetPointIds()
+    return {ids.GetId(corner) for corner in range(ids.GetNumberOfIds())}
+
+
 class Proxies(unittest.TestCase):
     def test_every_property_is_an_attribute(self):
         for name, properties in PROPERTIES.items():
@@ -96,13 +164,13 @@ class Proxies(unittest.TestCase):
                 self.assertTrue(documentation.GetDescription().strip(), f"{name}.{prop}")
 
     def test_every_filter_is_documented(self):
-        for name in PROPERTIES:
+        for name in MENU:
             documentation = prototype(name).GetDocumentation()
             self.assertTrue(documentation.GetDescription().strip(), name)
             self.assertTrue(documentation.GetShortHelp().strip(), name)
 
     def test_every_filter_is_in_the_menu(self):
-        for name in PROPERTIES:
+        for name in MENU:
             menu = prototype(name).GetHints().FindNestedElementByName("ShowInMenu")
             self.assertEqual(menu.GetAttribute("category"), "Laplacian Mesh", name)
 
@@ -231,6 +299,22 @@ class OptimizerEffects(unittest.TestCase):
         moves = point_array(optimizer, "Displacement").any(axis=1)
         self.assertTrue((moves == (point_array(optimizer, "upper") == 0)).all())
 
+    def test_selection(self):
+        surface = half_sphere()
+        selections = [
+            (IDSelectionSource(FieldType="POINT", IDs=[-1, 20, -1, 30]), {20, 30}),
+            (IDSelectionSource(FieldType="CELL", IDs=[-1, 100]), points_of_cell(surface, 100)),
+        ]
+        for selection, selected in selections:
+            optimizer = LaplacianMeshOptimizer(
+                Input=surface, BoundaryCondition="Free", Selection=selection
+            )
+            self.assertEqual(moved_points(optimizer), all_points(surface) - selected)
+            optimizer.SelectionUse = "Only Selected Points Move"
+            self.assertEqual(moved_points(optimizer), selected)
+            optimizer.Selection = None
+            self.assertEqual(moved_points(optimizer), all_points(surface))
+
     def test_solver_type(self):
         surface = half_sphere()
         direct = LaplacianMeshOptimizer(Input=surface, SolverType="Direct")
@@ -277,6 +361,84 @@ class OtherFilters(unittest.TestCase):
         self.assertAlmostEqual(figure(deviation, "HausdorffDistance"), 0.25)
         self.assertAlmostEqual(figure(deviation, "MeanDistance"), 0.25)
         self.assertTrue(np.allclose(point_array(deviation, "Distance"), 0.25))
+
+
+class Results(unittest.TestCase):
+    def test_the_panel_shows_the_figures_of_the_field_data(self):
+        optimizer = LaplacianMeshOptimizer(Input=Sphere(), Mode="Smooth")
+        optimizer.UpdatePipeline()
+        optimizer.UpdatePropertyInformation()
+        for name in RESULTS:
+            self.assertEqual(getattr(optimizer, name), figure(optimizer, name), name)
+
+    def test_old_figures_are_not_shown_for_new_properties(self):
+        optimizer = LaplacianMeshOptimizer(Input=Sphere())
+        optimizer.UpdatePipeline()
+        optimizer.ScaleFactor = 0.1
+        optimizer.UpdatePipelineInformation()
+        self.assertEqual(optimizer.MeanRadiusRatio, -1)
+
+
+class Panel(unittest.TestCase):
+    """What the panel is built from."""
+
+    def test_every_property_but_the_inputs_is_in_a_group(self):
+        optimizer = prototype("LaplacianMeshOptimizer")
+        grouped = []
+        for number in range(optimizer.GetNumberOfPropertyGroups()):
+            group = optimizer.GetPropertyGroup(number)
+            self.assertTrue(group.GetXMLLabel())
+            properties = [group.GetProperty(k) for k in range(group.GetNumberOfProperties())]
+            self.assertNotIn(None, properties)
+            grouped += [optimizer.GetPropertyName(prop) for prop in properties]
+        self.assertEqual(
+            sorted(grouped), sorted(set(PROPERTIES["LaplacianMeshOptimizer"]) - {"Input"})
+        )
+
+    def test_decorators_name_properties(self):
+        optimizer = prototype("LaplacianMeshOptimizer")
+        for name in PROPERTIES["LaplacianMeshOptimizer"]:
+            hints = optimizer.GetProperty(name).GetHints()
+            decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
+            if decorator:
+                self.assertIn(decorator.GetAttribute("property"), ENUMERATIONS | NUMBERS, name)
+
+
+class Presets(unittest.TestCase):
+    def test_presets_are_the_optimizer_with_other_defaults(self):
+        sphere = Sphere()
+        for _, function, settings in PRESETS:
+            preset = proxy_class(function)(Input=sphere)
+            optimizer = LaplacianMeshOptimizer(Input=sphere, **settings)
+            for name in [*ENUMERATIONS, *NUMBERS]:
+                self.assertEqual(getattr(preset, name), getattr(optimizer, name), name)
+            self.assertEqual(preset.ListProperties(), optimizer.ListProperties())
+            self.assertTrue((points(preset) == points(optimizer)).all(), function)
+
+    def test_presets_can_be_changed(self):
+        smooth = SmoothandFair(Input=Sphere(), ScaleFactor=0.05)
+        changed = LaplacianMeshOptimizer(Input=Sphere(), **{**PRESETS[2][2], "ScaleFactor": 0.05})
+        self.assertTrue((points(smooth) == points(changed)).all())
+
+    def test_the_panel_of_a_preset_is_that_of_the_optimizer(self):
+        def layout(name):
+            proxy = prototype(name)
+            properties = proxy.NewPropertyIterator()
+            order = []
+            while not properties.IsAtEnd():
+                order.append(properties.GetKey())
+                properties.Next()
+            return proxy.GetNumberOfPropertyGroups(), order
+
+        for name, _, _ in PRESETS:
+            self.assertEqual(layout(name), layout("LaplacianMeshOptimizer"))
+
+    def test_the_search_finds_them_by_their_jobs(self):
+        labels = [prototype(name).GetXMLLabel().lower() for name in MENU]
+        for words in ["smooth", "fair", "remesh", "triangle quality", "laplacian mesh", "cad"]:
+            self.assertTrue(
+                any(all(word in label for word in words.split()) for label in labels), words
+            )
 
 
 class Inputs(unittest.TestCase):

@@ -65,6 +65,7 @@ class Enumerations(unittest.TestCase):
             ["CONSTANT", "LINEAR", "CDF", "ANCHORS", "ARRAY"],
             ["CONSTANT", "LINEAR_COMPLEMENT", "CDF_COMPLEMENT", "GAUSSIAN", "ARRAY"],
             ["FIXED", "SLIDING", "FREE"],
+            ["SELECTED_POINTS_STAY", "ONLY_SELECTED_POINTS_MOVE"],
             ["AUTOMATIC", "DIRECT", "ITERATIVE"],
         ]:
             for number, name in enumerate(values):
@@ -83,6 +84,7 @@ class Properties(unittest.TestCase):
         "TangentPlaneConstraints": 0,
         "TangentPlaneWeight": 1,
         "BoundaryCondition": 0,
+        "SelectionUse": 0,
         "SolverType": 0,
         "Tolerance": 1e-6,
         "MaximumNumberOfIterations": 5000,

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_RunAside_h
+#define lmo_RunAside_h
+
+#include "Monitor.h"
+
+#include <chrono>
+#include <future>
+#include <thread>
+#include <utility>
+
+namespace lmo
+{
+/// Calls work() on a thread of its own and asks the monitor meanwhile: for long work in which the
+/// monitor cannot be asked, as that of a library. After a cancellation the work goes on unseen to
+/// its end; it must own all that it uses.
+/// \return what work() returns
+/// \throw Cancelled if the monitor says so; what work() throws.
+template <typename Work>
+auto RunAside(Monitor& monitor, Work work)
+{
+  constexpr std::chrono::milliseconds pause(50);
+  std::packaged_task<decltype(work())()> task(std::move(work));
+  auto result = task.get_future();
+  std::thread(std::move(task)).detach();
+  while (result.wait_for(pause) != std::future_status::ready)
+  {
+    monitor.Report(0);
+  }
+  return result.get();
+}
+}
+
+#endif

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PointSelection.h"
+
+#include "../Core/Exceptions.h"
+
+#include "vtkDataArrayRange.h"
+#include "vtkDataSet.h"
+#include "vtkExtractSelection.h"
+#include "vtkIdTypeArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
+
+namespace lmo
+{
+namespace
+{
+bool NamesBlock(vtkSelectionNode* node)
+{
+  const int type = node->GetContentType();
+  vtkInformation* properties = node->GetProperties();
+  return type == vtkSelectionNode::BLOCKS || type == vtkSelectionNode::BLOCK_SELECTORS ||
+         properties->Has(vtkSelectionNode::COMPOSITE_INDEX()) ||
+         properties->Has(vtkSelectionNode::HIERARCHICAL_INDEX());
+}
+
+/// \throw InputError for what vtkExtractSelection ignores or cannot do.
+void CheckSelection(vtkSelection* selection)
+{
+  for (unsigned int k = 0; k < selection->GetNumberOfNodes(); ++k)
+  {
+    vtkSelectionNode* node = selection->GetNode(k);
+    if (NamesBlock(node))
+    {
+      throw InputError("The selection names blocks of a composite data set. Extract the block, or "
+                       "merge the blocks, and select in the result.");
+    }
+    const int type = node->GetContentType();
+    if (type == vtkSelectionNode::QUERY || type == vtkSelectionNode::USER)
+    {
+      throw InputError("The selection is a query, which cannot be evaluated here. Freeze it (Find "
+                       "Data in ParaView), or select points or cells by their ids.");
+    }
+    const int kind = node->GetFieldType();
+    if ((kind != vtkSelectionNode::POINT && kind != vtkSelectionNode::CELL) ||
+        kind != selection->GetNode(0)->GetFieldType())
+    {
+      throw InputError("The selection mixes points and cells, or has neither. Select points alone "
+                       "or cells alone.");
+    }
+  }
+}
+}
+
+Vector SelectedPoints(vtkPolyData* mesh, vtkSelection* selection)
+{
+  CheckSelection(selection);
+  vtkNew<vtkPolyData> surface;
+  surface->ShallowCopy(mesh);
+  vtkNew<vtkExtractSelection> extraction;
+  extraction->SetInputData(0, surface);
+  extraction->SetInputData(1, selection);
+  extraction->Update();
+  Vector isSelected = Vector::Zero(mesh->GetNumberOfPoints());
+  auto* extract = vtkDataSet::SafeDownCast(extraction->GetOutputDataObject(0));
+  auto* ids =
+    extract ? vtkIdTypeArray::SafeDownCast(extract->GetPointData()->GetArray("vtkOriginalPointIds"))
+            : nullptr;
+  if (ids)
+  {
+    for (const vtkIdType id : vtk::DataArrayValueRange<1>(ids))
+    {
+      isSelected[id] = 1;
+    }
+  }
+  return isSelected;
+}
+}

@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "FilterTesting.h"
+#include "TestMeasures.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkIdList.h"
+#include "vtkIntArray.h"
+#include "vtkLaplacianMeshOptimizer.h"
+#include "vtkMeshLaplacian.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkSurfaceDeviation.h"
+#include "vtkTriangleRadiusRatio.h"
+
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+using Polygon = std::vector<vtkIdType>;
+
+vtkSmartPointer<vtkPolyData> MakePolygons(
+  const std::vector<Vector3>& points, const std::vector<Polygon>& polygons)
+{
+  TestMesh mesh{ Points(points.size(), 3), Triangles(0, 3) };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    mesh.V.row(i) = points[i];
+  }
+  auto result = MakePolyData(mesh);
+  vtkNew<vtkCellArray> cells;
+  for (const Polygon& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  result->SetPolys(cells);
+  return result;
+}
+
+template <typename Filter>
+vtkSmartPointer<vtkPolyData> Filtered(vtkPolyData* input)
+{
+  vtkNew<Filter> filter;
+  filter->SetInputData(input);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// Eqn. 12 from the lengths of the sides.
+double RadiusRatioOf(double a, double b, double c)
+{
+  return (b + c - a) * (c + a - b) * (a + b - c) / (a * b * c);
+}
+
+/// An L of three unit squares, whose corner 0 is opposite to the notch at (1, 1).
+vtkSmartPointer<vtkPolyData> MakeL(const Polygon& corners = { 0, 1, 2, 3, 4, 5 })
+{
+  return MakePolygons(
+    { { 0, 0, 0 }, { 2, 0, 0 }, { 2, 1, 0 }, { 1, 1, 0 }, { 1, 2, 0 }, { 0, 2, 0 } }, { corners });
+}
+
+void CheckRadiusRatios(Checks& c)
+{
+  const double turn = 4 * std::acos(0.0);
+  std::vector<Vector3> corners;
+  for (int k = 0; k < 5; ++k)
+  {
+    corners.emplace_back(std::cos(k * turn / 5), std::sin(k * turn / 5), 0);
+  }
+  const double side = (corners[1] - corners[0]).norm();
+  const double diagonal = (corners[2] - corners[0]).norm();
+  const auto pentagon =
+    Filtered<vtkTriangleRadiusRatio>(MakePolygons(corners, { { 0, 1, 2, 3, 4 } }));
+  const double ear = RadiusRatioOf(side, side, diagonal);
+  const double middle = RadiusRatioOf(side, diagonal, diagonal);
+  c.Error("a polygon has the minimum of its triangles",
+    std::abs(CellValues(pentagon, "RadiusRatio")(0) - std::min(ear, middle)), 1e-14);
+  c.Error("the mean counts each triangle of a polygon",
+    std::abs(FieldValue(pentagon, "MeanRadiusRatio") - (2 * ear + middle) / 3), 1e-14);
+
+  // Only the diagonal from the reflex corner 2 is inside.
+  const auto arrow = Filtered<vtkTriangleRadiusRatio>(
+    MakePolygons({ { 0, 0, 0 }, { 4, -3, 0 }, { 1, 0, 0 }, { 4, 3, 0 } }, { { 1, 2, 3, 0 } }));
+  c.Error("a concave quad is cut inside",
+    std::abs(CellValues(arrow, "RadiusRatio")(0) - RadiusRatioOf(1, 5, std::sqrt(18))), 1e-14);
+}
+
+void CheckConcavePolygons(Checks& c)
+{
+  for (vtkIdType first = 0; first < 6; ++first)
+  {
+    Polygon corners;
+    for (vtkIdType k = 0; k < 6; ++k)
+    {
+      corners.push_back((first + k) % 6);
+    }
+    const auto output = Filtered<vtkMeshLaplacian>(MakeL(corners));
+    c.Error("the triangles of a concave polygon cover it once",
+      std::abs(PointValues(output, "VoronoiArea").sum() - 3), 1e-14);
+  }
+}
+
+void CheckDeviation(Checks& c)
+{
+  vtkNew<vtkSurfaceDeviation> deviation;
+  deviation->SetReferenceData(MakeL());
+  deviation->SetInputData(MakePolygons(
+    { { 1.5, 1.5, 0 }, { 1.5, 1.25, 0 }, { 0.5, 0.5, 2 }, { 0.5, 1.75, 1 } }, { { 1, 2, 3, 0 } }));
+  deviation->Update();
+  c.Error("the notch of a concave polygon is not part of the surface",
+    LargestMagnitude(
+      PointValues(deviation->GetOutput(), "Distance") - Eigen::Vector4d(0.5, 0.25, 2, 1)),
+    1e-12);
+}
+
+/// Sheared quads on a curved patch, or their halves along the shorter diagonals.
+vtkSmartPointer<vtkPolyData> MakePatch(bool hasQuads)
+{
+  constexpr int cells = 10;
+  Random random;
+  std::vector<Vector3> points;
+  std::vector<Polygon> polygons;
+  for (int j = 0; j <= cells; ++j)
+  {
+    for (int i = 0; i <= cells; ++i)
+    {
+      points.emplace_back(i + 0.5 * j + 0.1 * random(), j + 0.1 * random(), 0.02 * i * i);
+      if (i < cells && j < cells)
+      {
+        const vtkIdType a = j * (cells + 1) + i, b = a + 1, d = a + cells + 1, e = d + 1;
+        hasQuads ? polygons.push_back({ a, b, e, d })
+                 : (polygons.push_back({ a, b, d }), polygons.push_back({ b, e, d }));
+      }
+    }
+  }
+  return MakePolygons(points, polygons);
+}
+
+void CheckOptimizer(Checks& c)
+{
+  const auto quads = MakePatch(true);
+  vtkNew<vtkIntArray> numbers;
+  numbers->SetName("Number");
+  for (int cell = 0; cell < 100; ++cell)
+  {
+    numbers->InsertNextValue(7 * cell);
+  }
+  quads->GetCellData()->SetScalars(numbers);
+  const auto output = Optimized(quads);
+  const auto ofTriangles = Optimized(MakePatch(false));
+  c.True("quads come out as they came in", AreEqual(output->GetPolys(), quads->GetPolys()));
+  c.True("cell data come out as they came in", output->GetCellData()->GetScalars() == numbers);
+  c.True("points of quads move", MaximumDistance(PointsOf(output), PointsOf(quads)) > 0.01);
+  c.Error("quads give what their triangles give",
+    MaximumDistance(PointsOf(output), PointsOf(ofTriangles)), 1e-12);
+  double difference = 0;
+  const Eigen::MatrixXd ofQuads = CellValues(output, "RadiusRatio");
+  const Eigen::MatrixXd ofHalves = CellValues(ofTriangles, "RadiusRatio");
+  for (Eigen::Index cell = 0; cell < 100; ++cell)
+  {
+    difference =
+      Larger(difference, std::abs(ofQuads(cell) - ofHalves.middleRows(2 * cell, 2).minCoeff()));
+  }
+  c.Error("the radius ratio of a quad is the minimum over its halves", difference, 1e-12);
+}
+
+void CheckMixture(Checks& c)
+{
+  const auto input = MakeMixedPolyData();
+  input->GetPolys()->InsertNextCell({ 0, 1, 14, 13 });
+  input->GetPointData()->Initialize();
+  input->GetCellData()->Initialize();
+  const auto output = Filtered<vtkTriangleRadiusRatio>(input);
+  const Eigen::MatrixXd ratios = CellValues(output, "RadiusRatio");
+  const Eigen::MatrixXd before =
+    CellValues(Filtered<vtkTriangleRadiusRatio>(MakeMixedPolyData()), "RadiusRatio");
+  c.True("a quad between triangles and strips has a value of its own",
+    ratios.rows() == before.rows() + 1 && ratios(147) > 0.5);
+  c.Error("triangles and strips around a quad keep theirs",
+    Larger(LargestMagnitude(ratios.topRows(147) - before.topRows(147)),
+      LargestMagnitude(ratios.bottomRows(6) - before.bottomRows(6))),
+    0);
+}
+
+void CheckDegeneratePolygons(Checks& c)
+{
+  const auto flat =
+    MakePolygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 }, { 3, 0, 0 }, { 4, 0, 0 } },
+      { { 0, 1, 2, 3, 4 }, { 0, 1, 0, 1 }, { 2, 2, 2, 2, 2 } });
+  vtkNew<vtkLaplacianMeshOptimizer> filter;
+  filter->SetInputData(flat);
+  c.True("polygons without area are no error", Update(filter).errors.empty());
+  c.Error("polygons without area have the radius ratio 0",
+    LargestMagnitude(CellValues(filter->GetOutput(), "RadiusRatio")), 0);
+  c.True("polygons without area give finite points", PointsOf(filter->GetOutput()).allFinite());
+}
+}
+
+int TestPolygons(int, char*[])
+{
+  Checks c;
+  CheckRadiusRatios(c);
+  CheckConcavePolygons(c);
+  CheckDeviation(c);
+  CheckOptimizer(c);
+  CheckMixture(c);
+  CheckDegeneratePolygons(c);
+  return c.Result();
+}
