@@ -8,7 +8,8 @@
 namespace lmo
 {
 /// Solves the normal equations of a problem by a sparse factorisation: n x n for x, y and z at
-/// once, or 3n x 3n where they are coupled. \throw SolverError if the matrix is singular.
+/// once, or 3n x 3n where they are coupled. \throw SolverError if the matrix is singular or too
+/// dense.
 Points SolveDirectly(const LeastSquaresProblem& problem);
 }
 
