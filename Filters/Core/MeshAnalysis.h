@@ -34,6 +34,10 @@ public:
   const MeshTopology& GetTopology() const { return *this->Topology; }
   double GetDiagonal() const { return this->Diagonal; }
 
+  /// Whether L_c and L_ck have the weights of ComputeRobustWeights() instead of those of Eqn. 4.
+  /// What follows from the other ones is forgotten.
+  void SetRobustLaplacian(bool isRobust);
+
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
 
@@ -72,14 +76,18 @@ private:
 
   std::shared_ptr<const AdjacencyLists> OneRings() const;
 
-  /// Computes edge weights and Voronoi areas, which share the cotangents.
+  /// Computes edge weights, their rings and Voronoi areas, which share the cotangents.
   void ComputeCotangentParts();
+
+  void ForgetWeights();
 
   const Points V;
   const Triangles T;
   const std::shared_ptr<const MeshTopology> Topology;
   const double Diagonal;
   int NumberOfParts = 1;
+  bool IsRobust = false;
+  std::shared_ptr<const AdjacencyLists> WeightRings; ///< to which EdgeWeights belong
   std::shared_ptr<const Vector> EdgeWeights;
   Vector VoronoiAreas;
   std::optional<Laplacian> Laplacians[3];

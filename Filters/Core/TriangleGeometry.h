@@ -9,11 +9,14 @@ namespace lmo
 {
 constexpr double Pi = 3.14159265358979323846;
 
+/// Cotangents beyond it are those of angles that round-off made.
+constexpr double MaximumCotangent = 1e6;
+
 /// Normal of triangle t, counter-clockwise, with twice the triangle's area as its length.
 Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t);
 
 /// Cotangent of the angle at each corner (Fig. 4): positive below a right angle, negative above,
-/// at most 1e6 in magnitude; 0 at the corners of a triangle without area.
+/// at most MaximumCotangent in magnitude; 0 at the corners of a triangle without area.
 CornerValues Cotangents(const Points& V, const Triangles& triangles);
 
 /// A(v) of Eqn. 7: the mixed Voronoi area of each vertex (Meyer et al. 2003). The sum over all

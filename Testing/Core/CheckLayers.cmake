@@ -13,7 +13,9 @@ set(layers
   VertexOrder
   TriangleGeometry
   Weights
+  IntrinsicTriangulation
   Laplacian
+  RobustLaplacian
   Quality
   Features
   Curvature
