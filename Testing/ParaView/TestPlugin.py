@@ -41,7 +41,7 @@ ARRAYS = [
 
 PROPERTIES = {
     "LaplacianMeshOptimizer": ["Input", *ENUMERATIONS, *NUMBERS, *ARRAYS],
-    "MeshLaplacian": ["Input"],
+    "MeshLaplacian": ["Input", "RobustLaplacian"],
     "TriangleRadiusRatio": ["Input"],
     "SurfaceDeviation": ["Input", "Reference", "NumberOfSamples"],
 }
