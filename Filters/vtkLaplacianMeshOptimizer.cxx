@@ -208,6 +208,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(vtkPolyData* input, vtkPolyDa
   monitor.Begin("Reading the mesh");
   this->Prepare(input);
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, monitor);
+  lmo::CheckRange(result.positions);
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,

@@ -209,7 +209,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     ImproveDirectly(problem, solution);
   }
-  else if (!IsFinished(solution, options))
+  if (!IsFinished(solution, options))
   {
     IterateInDouble(problem, options, monitor, solution);
   }
