@@ -104,10 +104,13 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   CheckEnumeration("BoundaryCondition", filter.BoundaryCondition, 3);
   CheckEnumeration("SelectionUse", filter.SelectionUse, 2);
   CheckEnumeration("SolverType", filter.SolverType, 3);
-  CheckNumber("ScaleFactor", filter.ScaleFactor, filter.ScaleFactor > 0, "more than 0");
+  CheckNumber("ScaleFactor", filter.ScaleFactor,
+    filter.ScaleFactor >= lmo::SmallestScaleFactor && filter.ScaleFactor <= lmo::LargestWeight,
+    "more than 0, from 1e-40 to 1e40");
   CheckNumber("GaussianWidth", filter.GaussianWidth, filter.GaussianWidth > 0, "more than 0");
-  CheckNumber(
-    "TangentPlaneWeight", filter.TangentPlaneWeight, filter.TangentPlaneWeight >= 0, "0 or more");
+  CheckNumber("TangentPlaneWeight", filter.TangentPlaneWeight,
+    filter.TangentPlaneWeight >= 0 && filter.TangentPlaneWeight <= lmo::LargestWeight,
+    "0 or more, up to 1e40");
   CheckNumber(
     "Tolerance", filter.Tolerance, filter.Tolerance > 0 && filter.Tolerance < 1, "between 0 and 1");
   CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,
@@ -116,6 +119,7 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   lmo::OptimizerOptions options;
   options.mode = static_cast<lmo::Mode>(filter.Mode);
   options.laplacianType = static_cast<lmo::LaplacianType>(filter.LaplacianType);
+  options.robustLaplacian = filter.RobustLaplacian;
   options.positionWeighting = static_cast<lmo::PositionWeighting>(filter.PositionWeighting);
   options.scaleFactor = filter.ScaleFactor;
   options.laplacianWeighting = static_cast<lmo::LaplacianWeighting>(filter.LaplacianWeighting);
@@ -224,6 +228,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   monitor->Begin("Reading the mesh");
   this->Engine->SetInput(input);
   lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
+  this->Engine->Try([&] { lmo::CheckRange(result.positions); });
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,
@@ -347,6 +352,7 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "LaplacianType: " << this->LaplacianType << "\n";
+  os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
   os << indent << "PositionWeighting: " << this->PositionWeighting << "\n";
   os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
   os << indent << "LaplacianWeighting: " << this->LaplacianWeighting << "\n";

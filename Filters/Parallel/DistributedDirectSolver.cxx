@@ -20,9 +20,9 @@ LeastSquaresProblem WithMotionOfOwners(LeastSquaresProblem problem, const Distri
   mesh.UpdateCopies(freedom.data(), 1);
   std::transform(freedom.begin(), freedom.end(), problem.motion.freedom.begin(),
     [](double value) { return static_cast<unsigned char>(value); });
-  if (mesh.GetCommunicator().Maximum(problem.motion.tangents.rows() > 0) > 0)
+  if (mesh.GetCommunicator().Maximum(problem.motion.axes.rows() > 0) > 0)
   {
-    mesh.UpdateCopies(problem.motion.tangents.data(), 3);
+    mesh.UpdateCopies(problem.motion.axes.data(), 3);
   }
   return problem;
 }

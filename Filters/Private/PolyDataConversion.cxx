@@ -4,6 +4,7 @@
 
 #include "../Core/Exceptions.h"
 #include "../Core/Parallel.h"
+#include "../Core/Weights.h"
 #include "CellTriangulation.h"
 
 #include "vtkArrayDispatch.h"
@@ -103,9 +104,36 @@ Faults FindHuge(const Points& points)
   return FindFaults(points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= largest; });
 }
 
+/// \throw InputError if the points are apart, but so little that areas underflow.
+void CheckExtent(const Points& points)
+{
+  constexpr double smallest = 1e-70;
+  if (points.rows() > 0)
+  {
+    const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+    if (extent > 0 && extent < smallest)
+    {
+      std::ostringstream text;
+      text << "The " << points.rows() << " points span no more than " << extent
+           << ", less than 1e-70, and areas are too small to be computed. Scale them.";
+      throw InputError(text.str());
+    }
+  }
+}
+
+/// \throw InputError if the offsets do not fit the connectivity, which only hand-made cells have.
+void CheckOffsets(vtkCellArray* cells, const char* what)
+{
+  if (cells->GetNumberOfCells() > 0 && !cells->IsValid())
+  {
+    throw InputError("The offsets of the " + std::to_string(cells->GetNumberOfCells()) + " " +
+                     what + " do not fit their connectivity. Repair the cells of the input.");
+  }
+}
+
 std::string NameOf(vtkDataArray* array)
 {
-  return "The point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+  return "the point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
 }
 
 template <typename Rows>
@@ -116,12 +144,12 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
       array->GetNumberOfComponents() != Rows::ColsAtCompileTime)
   {
     std::ostringstream text;
-    text << name << " has " << array->GetNumberOfTuples() << " tuples of "
-         << array->GetNumberOfComponents() << " components; " << points << " tuples of "
-         << Rows::ColsAtCompileTime << " are needed. Choose another array.";
+    text << "The size of " << name << " is wrong: it has " << array->GetNumberOfTuples()
+         << " tuples of " << array->GetNumberOfComponents() << " components; " << points
+         << " tuples of " << Rows::ColsAtCompileTime << " are needed. Choose another array.";
     throw InputError(text.str());
   }
-  const Rows rows = ReadTuples<Rows>(array);
+  Rows rows = ReadTuples<Rows>(array);
   FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), "point",
     "Replace them, for example with vtkArrayCalculator.");
   return rows;
@@ -264,9 +292,18 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
     .ThrowIfAny("points have NaN or infinite coordinates", "point", "Remove or repair them.");
   FindHuge(mesh.points)
     .ThrowIfAny("points have coordinates above 1e70", "point", "Remove or scale them.");
+  CheckExtent(mesh.points);
+  CheckOffsets(input->GetPolys(), "polygons");
+  CheckOffsets(input->GetStrips(), "strips");
 
   ReadCells(input, mesh);
   return mesh;
+}
+
+void CheckRange(const Points& positions)
+{
+  FindNotFinite(positions).ThrowIfAny("points would leave the range of their coordinates", "point",
+    "Scale the mesh and the prescribed Laplacians, or convert the points to double.");
 }
 
 Vector ReadScalars(vtkDataArray* array, vtkIdType points)
@@ -278,14 +315,19 @@ Vector ReadWeights(vtkDataArray* array, vtkIdType points)
 {
   Vector weights = ReadScalars(array, points);
   const Faults negative = FindFaults(weights, [](const auto& row) { return row[0] >= 0; });
-  negative.ThrowIfAny(
-    ("weights in the point array '" + std::string(array->GetName()) + "' are negative").c_str(),
-    "point", "Weights must be 0 or more.");
+  negative.ThrowIfAny(("weights in " + NameOf(array) + " are negative").c_str(), "point",
+    "Weights must be 0 or more.");
+  FindFaults(weights, [](const auto& row) { return row[0] <= LargestWeight; })
+    .ThrowIfAny(
+      ("weights in " + NameOf(array) + " are above 1e40").c_str(), "point", "Scale the weights.");
   return weights;
 }
 
 Points ReadVectors(vtkDataArray* array, vtkIdType points)
 {
-  return ReadArray<Points>(array, points);
+  Points vectors = ReadArray<Points>(array, points);
+  FindHuge(vectors).ThrowIfAny(
+    ("vectors of " + NameOf(array) + " are longer than 1e70").c_str(), "point", "Scale them.");
+  return vectors;
 }
 }

@@ -128,6 +128,20 @@ void CheckHugeCoordinates(Checks& c)
   }
 }
 
+void CheckOverflow(Checks& c)
+{
+  CheckRefusal(c, "a result beyond the range of float",
+    [](Optimizer* filter, vtkPolyData* input)
+    {
+      input->DeepCopy(MakePolyData(Icosphere(1), VTK_FLOAT));
+      AddPointArray(input, "Array", Eigen::MatrixXd::Random(42, 3) * 1e45);
+      filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS);
+      filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0,
+        vtkDataObject::FIELD_ASSOCIATION_POINTS, "Array");
+    },
+    { "42 points", "range", "point 0", "double" });
+}
+
 /// The normals are written, not only read.
 void CheckNormals(Checks& c)
 {
@@ -171,6 +185,9 @@ void CheckArray(Checks& c, const std::string& name, int index, int components, b
   {
     CheckRefusal(c, name + " below 0", ChooseArray(index, values, choose),
       { "2 weights", "'Array'", "negative", "point 3", "0 or more" });
+    values(3, 0) = values(8, 0) = 1e300;
+    CheckRefusal(c, name + " that overflow", ChooseArray(index, values, choose),
+      { "2 weights", "'Array'", "above 1e40", "point 3", "Scale" });
   }
   CheckRefusal(c, name + " that do not exist",
     [&](Optimizer* filter, vtkPolyData*)
@@ -232,9 +249,11 @@ void CheckParameters(Checks& c)
   CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
   CheckValues(c, "SelectionUse", &Optimizer::SetSelectionUse, enumeration);
   CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
-  CheckValues(c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, NaN, Infinity });
+  CheckValues(
+    c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, 1e-300, 1e300, NaN, Infinity });
   CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });
-  CheckValues(c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, NaN, Infinity });
+  CheckValues(
+    c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, 1e300, NaN, Infinity });
   CheckValues(c, "Tolerance", &Optimizer::SetTolerance, { 0.0, 1.0, -1.0, NaN, Infinity });
   CheckValues(c, "MaximumNumberOfIterations", &Optimizer::SetMaximumNumberOfIterations, { 0, -1 });
 }
@@ -248,6 +267,7 @@ int TestOptimizerErrors(int, char*[])
   CheckArrays(c);
   CheckParameters(c);
   CheckHugeCoordinates(c);
+  CheckOverflow(c);
   CheckNormals(c);
   return c.Result();
 }
