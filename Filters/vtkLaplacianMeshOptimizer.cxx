@@ -23,6 +23,8 @@
 #include <cmath>
 #include <cstring>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -97,7 +99,7 @@ vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
 lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  CheckEnumeration("Mode", filter.Mode, 3);
+  CheckEnumeration("Mode", filter.Mode, 5);
   CheckEnumeration("LaplacianType", filter.LaplacianType, 3);
   CheckEnumeration("PositionWeighting", filter.PositionWeighting, 5);
   CheckEnumeration("LaplacianWeighting", filter.LaplacianWeighting, 5);
@@ -116,6 +118,18 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,
     filter.MaximumNumberOfIterations > 0, "more than 0");
 
+  CheckNumber(
+    "MaximumDeviation", filter.MaximumDeviation, filter.MaximumDeviation > 0, "more than 0");
+  CheckNumber("NumberOfPasses", filter.NumberOfPasses, filter.NumberOfPasses > 0, "more than 0");
+  CheckNumber("FeatureAngle", filter.FeatureAngle,
+    filter.FeatureAngle >= 0 && filter.FeatureAngle <= 180, "from 0 to 180");
+  CheckNumber(
+    "NormalIterations", filter.NormalIterations, filter.NormalIterations >= 0, "0 or more");
+  CheckNumber("NormalWidth", filter.NormalWidth, filter.NormalWidth > 0, "more than 0");
+  CheckNumber("DetailWeight", filter.DetailWeight,
+    filter.DetailWeight > 0 && filter.DetailWeight <= lmo::LargestWeight,
+    "more than 0, up to 1e40");
+
   lmo::OptimizerOptions options;
   options.mode = static_cast<lmo::Mode>(filter.Mode);
   options.laplacianType = static_cast<lmo::LaplacianType>(filter.LaplacianType);
@@ -131,6 +145,17 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   options.solverType = static_cast<lmo::SolverType>(filter.SolverType);
   options.solver.tolerance = filter.Tolerance;
   options.solver.maximumIterations = filter.MaximumNumberOfIterations;
+  options.deviation.maximum = filter.MaximumDeviation;
+  options.deviation.passes = filter.NumberOfPasses;
+  options.deviation.improveWorstTriangles = filter.ImproveWorstTriangles;
+  options.guide.normalIterations = filter.NormalIterations;
+  options.guide.normalWidth = filter.NormalWidth;
+  options.guide.detailWeight = filter.DetailWeight;
+  options.featureConstraints = filter.FeatureConstraints;
+  options.detectFeatures = filter.DetectFeatures;
+  options.featureAngle = filter.FeatureAngle;
+  options.preserveVolume = filter.PreserveVolume;
+  options.twicing = filter.Twicing;
   return options;
 }
 
@@ -150,9 +175,12 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPoly
   }
   int association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
   vtkDataArray* array = this->Filter->GetInputArrayToProcess(index, input, association);
-  if (!array || association != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+  const bool isOfCells =
+    index == FEATURE_ARRAY && association == vtkDataObject::FIELD_ASSOCIATION_CELLS;
+  if (!array || !(isOfCells || association == vtkDataObject::FIELD_ASSOCIATION_POINTS))
   {
-    throw lmo::InputError("There is no numeric point array '" +
+    throw lmo::InputError(std::string("There is no numeric point ") +
+                          (index == FEATURE_ARRAY ? "or cell " : "") + "array '" +
                           std::string(isNamed ? name : "of the chosen attribute") +
                           "'. Choose one that the input has.");
   }
@@ -186,6 +214,14 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(
   if ((array = this->FindArray(FIXED_POINT_ARRAY, input)))
   {
     arrays.fixedPoints = lmo::ReadScalars(array, points);
+  }
+  const bool hasFeatures = filter.Mode == OPTIMIZE_WITHIN_DEVIATION || filter.FeatureConstraints;
+  if (hasFeatures && (array = this->FindArray(FEATURE_ARRAY, input)))
+  {
+    const bool isOfPoints = input->GetPointData()->HasArray(array->GetName()) &&
+                            input->GetPointData()->GetArray(array->GetName()) == array;
+    isOfPoints ? arrays.featurePoints = lmo::ReadScalars(array, points)
+               : arrays.regions = lmo::ReadScalars(array, input->GetNumberOfCells());
   }
   if (selection)
   {
@@ -229,14 +265,17 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   this->Engine->SetInput(input);
   lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
   this->Engine->Try([&] { lmo::CheckRange(result.positions); });
-  if (!(result.relativeResidual <= options.solver.tolerance))
+  if (!result.isConverged)
   {
     vtkWarningWithObjectMacro(this->Filter,
       "The solver stopped at the relative residual "
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
-  monitor->Begin("Writing the result");
+  if (!result.isCancelled)
+  {
+    monitor->Begin("Writing the result");
+  }
   output->ShallowCopy(input);
   this->SetFigures(result);
   this->WriteFigures(output->GetFieldData());
@@ -255,6 +294,10 @@ void vtkLaplacianMeshOptimizer::Internals::WritePoints(
   pointData->AddArray(lmo::MakeArray("PositionWeight", std::move(result.positionWeights)));
   pointData->AddArray(lmo::MakeArray("LaplacianWeight", std::move(result.laplacianWeights)));
   pointData->AddArray(lmo::MakeArray("Displacement", std::move(result.displacements)));
+  if (result.featureClass.rows() > 0)
+  {
+    pointData->AddArray(lmo::MakeArray("FeatureClass", std::move(result.featureClass)));
+  }
   if (result.normals.rows() > 0)
   {
     pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
@@ -278,12 +321,15 @@ void vtkLaplacianMeshOptimizer::Internals::SetFigures(const lmo::OptimizerResult
   filter.FlippedTriangles = comparison.flippedTriangles;
   filter.Iterations = result.iterations;
   filter.RelativeResidual = result.relativeResidual;
+  filter.RelativeHausdorffBound = result.deviation.relativeBound;
+  filter.Passes = result.deviation.passes;
+  filter.RolledBackPoints = result.deviation.rolledBack;
 }
 
 void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  const std::pair<const char*, double> figures[] = {
+  std::vector<std::pair<const char*, double>> figures = {
     { "MeanRadiusRatio", filter.MeanRadiusRatio },
     { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
     { "InputMeanRadiusRatio", filter.InputMeanRadiusRatio },
@@ -295,6 +341,12 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData)
     { "Iterations", double(filter.Iterations) },
     { "RelativeResidual", filter.RelativeResidual },
   };
+  if (filter.Mode == OPTIMIZE_WITHIN_DEVIATION)
+  {
+    figures.insert(figures.end(), { { "RelativeHausdorffBound", filter.RelativeHausdorffBound },
+                                    { "Passes", double(filter.Passes) },
+                                    { "RolledBackPoints", double(filter.RolledBackPoints) } });
+  }
   for (const auto& [name, value] : figures)
   {
     fieldData->AddArray(lmo::MakeArray(name, value));
@@ -365,6 +417,17 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SolverType: " << this->SolverType << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
+  os << indent << "NumberOfPasses: " << this->NumberOfPasses << "\n";
+  os << indent << "ImproveWorstTriangles: " << this->ImproveWorstTriangles << "\n";
+  os << indent << "FeatureConstraints: " << this->FeatureConstraints << "\n";
+  os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "NormalIterations: " << this->NormalIterations << "\n";
+  os << indent << "NormalWidth: " << this->NormalWidth << "\n";
+  os << indent << "DetailWeight: " << this->DetailWeight << "\n";
+  os << indent << "PreserveVolume: " << this->PreserveVolume << "\n";
+  os << indent << "Twicing: " << this->Twicing << "\n";
   os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
   os << indent << "MeanRadiusRatio: " << this->MeanRadiusRatio << "\n";
   os << indent << "MinimumRadiusRatio: " << this->MinimumRadiusRatio << "\n";
@@ -376,6 +439,9 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FlippedTriangles: " << this->FlippedTriangles << "\n";
   os << indent << "Iterations: " << this->Iterations << "\n";
   os << indent << "RelativeResidual: " << this->RelativeResidual << "\n";
+  os << indent << "RelativeHausdorffBound: " << this->RelativeHausdorffBound << "\n";
+  os << indent << "Passes: " << this->Passes << "\n";
+  os << indent << "RolledBackPoints: " << this->RolledBackPoints << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

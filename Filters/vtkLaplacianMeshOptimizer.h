@@ -16,6 +16,9 @@
  * - Mode OPTIMIZE_TRIANGLES makes the triangles well shaped and keeps the surface (section 5).
  * - Mode SMOOTH removes noise (section 6).
  * - Mode PRESCRIBED_LAPLACIANS takes f from a point array.
+ * - Mode OPTIMIZE_WITHIN_DEVIATION makes the triangles as good as they can be within an error that
+ *   you name, and guarantees that error.
+ * - Mode SMOOTH_GUIDED removes noise from shapes with flat faces and sharp edges.
  *
  * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
  * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
@@ -37,7 +40,8 @@
  * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the triangles at the point; -1
  *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
  *   `PositionWeight`, `LaplacianWeight`: the diagonals of W_p and W_L that the weighting schemes
- *   gave. `Displacement`: new minus old coordinates.
+ *   gave. `Displacement`: new minus old coordinates. With features also `FeatureClass`: 0 smooth, 1
+ *   on a feature line, 2 corner; a boundary counts as a line where it slides.
  * - Field data, one value each: the figures of the Get methods below, under their names.
  *
  * @sa vtkMeshLaplacian vtkTriangleRadiusRatio vtkSurfaceDeviation vtkWindowedSincPolyDataFilter
@@ -67,7 +71,9 @@ public:
   {
     OPTIMIZE_TRIANGLES = 0,
     SMOOTH = 1,
-    PRESCRIBED_LAPLACIANS = 2
+    PRESCRIBED_LAPLACIANS = 2,
+    OPTIMIZE_WITHIN_DEVIATION = 3,
+    SMOOTH_GUIDED = 4
   };
 
   enum LaplacianTypeType
@@ -117,14 +123,15 @@ public:
   };
 
   /**
-   * Input arrays for SetInputArrayToProcess(), all of them point arrays of any numeric type.
+   * Input arrays for SetInputArrayToProcess(), of any numeric type; point arrays but for the last.
    */
   enum InputArrayIndex
   {
     POSITION_WEIGHT_ARRAY = 0,      ///< 1 component, 0 to 1e40: PositionWeighting ARRAY, ANCHORS
     LAPLACIAN_WEIGHT_ARRAY = 1,     ///< 1 component, 0 to 1e40: LaplacianWeighting ARRAY
     PRESCRIBED_LAPLACIAN_ARRAY = 2, ///< 3 components, up to 1e70: PRESCRIBED_LAPLACIANS
-    FIXED_POINT_ARRAY = 3 ///< 1 component, optional: points with a value other than 0 do not move
+    FIXED_POINT_ARRAY = 3, ///< 1 component, optional: points with a value other than 0 do not move
+    FEATURE_ARRAY = 4      ///< 1 component, optional: features by points or by cells
   };
 
   ///@{
@@ -132,7 +139,13 @@ public:
    * What to do. OPTIMIZE_TRIANGLES (0): L = L_u and f = delta_c, the cotangent Laplacians of the
    * input (section 5; Eqn. 10 with PositionWeighting ANCHORS). SMOOTH (1): f = 0 (section 6; Eqn. 9
    * with ANCHORS). PRESCRIBED_LAPLACIANS (2): f from PRESCRIBED_LAPLACIAN_ARRAY.
-   * Default: OPTIMIZE_TRIANGLES.
+   * OPTIMIZE_WITHIN_DEVIATION (3): passes with L = L_u and f = n n^T L_u V, in which each point
+   * keeps its tangent plane, after each of which motion is taken back where it leaves
+   * MaximumDeviation or spoils a triangle; it has weights of its own. The smallest radius ratio
+   * does not fall, and no triangle turns over or folds that did not before. If you abort it, the
+   * output is what was reached by then. SMOOTH_GUIDED (4): smooths lightly, filters the normals of
+   * the triangles, and lets the triangles follow them; it has weights of its own. Default:
+   * OPTIMIZE_TRIANGLES.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -296,6 +309,112 @@ public:
 
   ///@{
   /**
+   * For OPTIMIZE_WITHIN_DEVIATION: the largest distance allowed between the surfaces before and
+   * after, every point of either to the other (Hausdorff), divided by the diagonal of the bounding
+   * box. More than 0. Default: 0.002.
+   */
+  vtkSetMacro(MaximumDeviation, double);
+  vtkGetMacro(MaximumDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * For OPTIMIZE_WITHIN_DEVIATION: the largest number of passes; it stops earlier when they gain
+   * nothing. 3 is fast. At least 1. Default: 5.
+   */
+  vtkSetMacro(NumberOfPasses, int);
+  vtkGetMacro(NumberOfPasses, int);
+  ///@}
+
+  ///@{
+  /**
+   * For OPTIMIZE_WITHIN_DEVIATION: after the passes move single points where that raises the radius
+   * ratio of triangles that have less than 0.45. Default: on.
+   */
+  vtkSetMacro(ImproveWorstTriangles, vtkTypeBool);
+  vtkGetMacro(ImproveWorstTriangles, vtkTypeBool);
+  vtkBooleanMacro(ImproveWorstTriangles, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * For OPTIMIZE_TRIANGLES and SMOOTH: corners of features stay, points on feature lines slide
+   * along them. OPTIMIZE_WITHIN_DEVIATION does so always. Features come from FEATURE_ARRAY if it is
+   * chosen: point data, edges whose ends both are not 0; or cell data, edges between cells with
+   * different values. Otherwise DetectFeatures finds them. Default: off.
+   */
+  vtkSetMacro(FeatureConstraints, vtkTypeBool);
+  vtkGetMacro(FeatureConstraints, vtkTypeBool);
+  vtkBooleanMacro(FeatureConstraints, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Find features where no FEATURE_ARRAY is chosen: lines of at least 10 edges at which the surface
+   * turns by more than FeatureAngle. Default: on.
+   */
+  vtkSetMacro(DetectFeatures, vtkTypeBool);
+  vtkGetMacro(DetectFeatures, vtkTypeBool);
+  vtkBooleanMacro(DetectFeatures, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * The angle between the normals of two triangles above which their edge may belong to a feature,
+   * in degrees, 0 to 180. Default: 40.
+   */
+  vtkSetMacro(FeatureAngle, double);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * For SMOOTH_GUIDED: iterations of the filter of normals, 0 or more; 20 for strong noise.
+   * Default: 10.
+   */
+  vtkSetMacro(NormalIterations, int);
+  vtkGetMacro(NormalIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * For SMOOTH_GUIDED: the difference of two unit normals beyond which they no longer influence
+   * each other. More than 0. Larger values round off blunt edges. Default: 0.25.
+   */
+  vtkSetMacro(NormalWidth, double);
+  vtkGetMacro(NormalWidth, double);
+  ///@}
+
+  ///@{
+  /**
+   * For SMOOTH_GUIDED: how strongly points are held where they were. More than 0. Default: 0.3.
+   */
+  vtkSetMacro(DetailWeight, double);
+  vtkGetMacro(DetailWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For SMOOTH and SMOOTH_GUIDED: give each closed component the volume that it had, by an offset
+   * along the normals of its points. Points that are fixed or slide are not offset. Default: off.
+   */
+  vtkSetMacro(PreserveVolume, vtkTypeBool);
+  vtkGetMacro(PreserveVolume, vtkTypeBool);
+  vtkBooleanMacro(PreserveVolume, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * For SMOOTH: apply the same smoothing to what it removed, and add the result: less than half the
+   * shrinkage at the same ScaleFactor (S (2 I - S) instead of S; Tukey 1977). Default: off.
+   */
+  vtkSetMacro(Twicing, vtkTypeBool);
+  vtkGetMacro(Twicing, vtkTypeBool);
+  vtkBooleanMacro(Twicing, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Recompute the point normals if the input has them: area-weighted, in the direction in which the
    * triangles are counter-clockwise. Off: the input's normals pass through. Default: on.
    */
@@ -346,6 +465,22 @@ public:
    */
   vtkGetMacro(RelativeResidual, double);
 
+  /**
+   * Of OPTIMIZE_WITHIN_DEVIATION: the Hausdorff distance, divided by the diagonal of the bounding
+   * box, is proved to be at most that. 0 for other modes, as the next two.
+   */
+  vtkGetMacro(RelativeHausdorffBound, double);
+
+  /**
+   * Passes that moved the surface.
+   */
+  vtkGetMacro(Passes, int);
+
+  /**
+   * Number of points that the last pass moved less than its equations asked for.
+   */
+  vtkGetMacro(RolledBackPoints, vtkIdType);
+
 protected:
   vtkLaplacianMeshOptimizer();
   ~vtkLaplacianMeshOptimizer() override;
@@ -373,6 +508,17 @@ protected:
   int SolverType = AUTOMATIC;
   double Tolerance = 1e-6;
   int MaximumNumberOfIterations = 5000;
+  double MaximumDeviation = 0.002;
+  int NumberOfPasses = 5;
+  vtkTypeBool ImproveWorstTriangles = 1;
+  vtkTypeBool FeatureConstraints = 0;
+  vtkTypeBool DetectFeatures = 1;
+  double FeatureAngle = 40;
+  int NormalIterations = 10;
+  double NormalWidth = 0.25;
+  double DetailWeight = 0.3;
+  vtkTypeBool PreserveVolume = 0;
+  vtkTypeBool Twicing = 0;
   vtkTypeBool ComputeNormals = 1;
 
   double MeanRadiusRatio = -1;
@@ -385,6 +531,9 @@ protected:
   vtkIdType FlippedTriangles = 0;
   int Iterations = 0;
   double RelativeResidual = 0;
+  double RelativeHausdorffBound = 0;
+  int Passes = 0;
+  vtkIdType RolledBackPoints = 0;
 
 private:
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;

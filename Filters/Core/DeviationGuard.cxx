@@ -297,10 +297,10 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     std::sort(originals.begin(), originals.end());
     originals.erase(std::unique(originals.begin(), originals.end()), originals.end());
     this->Tree.Refit(changed);
-    isAdmitted = this->ToCandidate
-                   .Check(originals, this->Original, this->CandidateView(), this->Tree,
-                     this->Distance)
-                   .empty();
+    isAdmitted =
+      this->ToCandidate
+        .Check(originals, this->Original, this->CandidateView(), this->Tree, this->Distance)
+        .empty();
   }
   if (isAdmitted)
   {

@@ -36,7 +36,7 @@ class Passes
 {
 public:
   Passes(MeshAnalysis& mesh, const OptimizerOptions& options, const FeatureLines& features,
-    const Mask& isFixed)
+    const MotionConstraints& motion)
     : Mesh(mesh)
     , Options(options)
     , Features(features)
@@ -45,7 +45,8 @@ public:
     , Adaption(Vector::Ones(mesh.GetPoints().rows()))
     , Share(Vector::Zero(mesh.GetPoints().rows()))
   {
-    this->SetUp(isFixed);
+    this->SetUp(motion);
+    this->SetPositionWeights();
   }
 
   void Run(Monitor& monitor, DeviationResult& result);
@@ -53,7 +54,7 @@ public:
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
 
-  void SetUp(const Mask& isFixed);
+  void SetUp(const MotionConstraints& motion);
   void SetTargets();
   void SetPositionWeights();
 
@@ -75,6 +76,8 @@ private:
   /// \return these vertices
   std::vector<Index> TakeBack(const std::vector<DeviationGuard::Failure>& failures);
 
+  Index CountRolledBack() const;
+
   MeshAnalysis& Mesh;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
@@ -85,20 +88,17 @@ private:
   Vector Share;    ///< of the motion, 0 to 1
 };
 
-void Passes::SetUp(const Mask& isFixed)
+void Passes::SetUp(const MotionConstraints& motion)
 {
   this->Problem.L = this->Mesh.GetLaplacian(LaplacianType::UNIFORM);
   this->Problem.laplacianWeights = Vector::Zero(this->Size());
-  this->Problem.motion.freedom.assign(this->Size(), MotionConstraints::FIXED);
+  this->Problem.motion = motion;
   for (Index i = 0; i < this->Size(); ++i)
   {
-    const auto pointClass = this->Features.pointClass[i];
-    if (!isFixed[i] && pointClass != FeatureLines::CORNER)
+    if (motion.freedom[i] == MotionConstraints::FREE)
     {
-      const bool isSmooth = pointClass == FeatureLines::SMOOTH;
-      this->Problem.laplacianWeights[i] = isSmooth;
-      this->Problem.motion.freedom[i] =
-        isSmooth ? MotionConstraints::IN_PLANE : MotionConstraints::ALONG_LINE;
+      this->Problem.laplacianWeights[i] = 1;
+      this->Problem.motion.freedom[i] = MotionConstraints::IN_PLANE;
     }
   }
 }
@@ -182,8 +182,8 @@ double Passes::CentreAt(Index i) const
 Vector3 Passes::Place(Index i, const Vector3& position) const
 {
   const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
-    ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
-    : position;
+                           ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
+                           : position;
   return this->Options.roundToFloat ? Vector3(placed.cast<float>().cast<double>()) : placed;
 }
 
@@ -249,7 +249,6 @@ bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
         this->Guard.Move(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
       });
     const auto failures = this->Guard.Check(moving, leastQuality);
-    if (getenv("LMO_TRACE")) fprintf(stderr, "  round: moved %zu failures %zu\n", moving.size(), failures.size());
     if (failures.empty())
     {
       break;
@@ -262,8 +261,19 @@ bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
     }
   }
   this->Guard.Admit();
-  ParallelFor(this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
+  ParallelFor(
+    this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
   return true;
+}
+
+Index Passes::CountRolledBack() const
+{
+  Index count = 0;
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    count += this->Problem.motion.freedom[i] != MotionConstraints::FIXED && this->Share[i] < 1;
+  }
+  return count;
 }
 
 void Passes::Run(Monitor& monitor, DeviationResult& result)
@@ -283,8 +293,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       {
         break;
       }
-      ++result.passes;
-      if (getenv("LMO_TRACE")) fprintf(stderr, "pass %d its %d t_mean %.4f\n", pass, solution.iterations, meanQuality());
+      ++result.report.passes;
+      result.report.rolledBack = this->CountRolledBack();
       if (pass > 1 && meanQuality() < before + SmallestGain)
       {
         break;
@@ -292,8 +302,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
     }
     if (this->Options.deviation.improveWorstTriangles)
     {
-      ImproveWorstTriangles(this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(),
-        this->Problem.motion,
+      ImproveWorstTriangles(
+        this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.motion,
         [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
     }
   }
@@ -303,15 +313,18 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
     this->Guard.Reject();
   }
   result.positions = this->Guard.GetAdmitted();
-  result.bound = this->Guard.GetBound();
+  const double diagonal = this->Mesh.GetDiagonal();
+  result.report.relativeBound = diagonal > 0 ? this->Guard.GetBound() / diagonal : 0;
+  result.positionWeights = std::move(this->Problem.positionWeights);
+  result.laplacianWeights = std::move(this->Problem.laplacianWeights);
 }
 }
 
 DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptions& options,
-  const FeatureLines& features, const Mask& isFixed, Monitor& monitor)
+  const FeatureLines& features, const MotionConstraints& motion, Monitor& monitor)
 {
   DeviationResult result;
-  Passes passes(mesh, options, features, isFixed);
+  Passes passes(mesh, options, features, motion);
   passes.Run(monitor, result);
   return result;
 }

@@ -19,7 +19,8 @@ struct MotionConstraints
     FREE = 3
   };
   Mask freedom; ///< Freedom of each vertex
-  Points axes;  ///< unit direction of the line or unit normal of the plane; no rows if there are none
+  Points
+    axes; ///< unit direction of the line or unit normal of the plane; no rows if there are none
 
   /// Removes the forbidden part of a displacement or force at vertex i.
   Vector3 Project(Index i, const Vector3& x) const

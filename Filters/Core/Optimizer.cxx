@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Optimizer.h"
 
+#include "GuidedSmoothing.h"
+#include "NormalFilter.h"
 #include "Parallel.h"
 #include "ProblemSetup.h"
 #include "TriangleGeometry.h"
+#include "VolumePreservation.h"
+
+#include <algorithm>
 
 namespace lmo
 {
@@ -28,20 +33,21 @@ void Restore(const std::vector<Index>& oldNumbers, Values& values)
   }
 }
 
-/// Sets V' and V' - V.
-void Move(const Points& V, const Points& d, const OptimizerOptions& options,
-  const std::optional<FeatureLines>& boundary, const Subdomain& subdomain, OptimizerResult& result)
+/// Moves vertices on lines to the closest points of these.
+void Project(const std::optional<FeatureLines>& lines, MeshAnalysis& mesh, Points& positions)
 {
-  result.positions.resize(V.rows(), 3);
-  const auto size = static_cast<Index>(V.rows());
-  ParallelFor(size, [&](Index i) { result.positions.row(i) = V.row(i) + d.row(i); });
-  if (boundary)
+  if (lines)
   {
-    subdomain.ProjectOntoLines(*boundary, V, result.positions);
-    subdomain.UpdateCopies(result.positions);
+    mesh.GetSubdomain().ProjectOntoLines(*lines, mesh.GetPoints(), positions);
+    mesh.GetSubdomain().UpdateCopies(positions);
   }
+}
+
+/// Sets V' - V.
+void SetDisplacements(const Points& V, const OptimizerOptions& options, OptimizerResult& result)
+{
   result.displacements.resize(V.rows(), 3);
-  ParallelFor(size,
+  ParallelFor(static_cast<Index>(V.rows()),
     [&](Index i)
     {
       Vector3 position = result.positions.row(i);
@@ -52,6 +58,26 @@ void Move(const Points& V, const Points& d, const OptimizerOptions& options,
       }
       result.displacements.row(i) = position - V.row(i);
     });
+}
+
+/// S (2 I - S) V instead of the solution S V of smoothing with f = 0, where d = S V - V: the same
+/// system on what was smoothed away.
+void SmoothTwice(LeastSquaresProblem& problem, const Points& d)
+{
+  problem.target = std::make_shared<const Points>(Apply(problem.L, d));
+  for (LineRow& row : problem.lineRows)
+  {
+    const Vector3 tangent = problem.motion.axes.row(row.vertex);
+    const Vector3 laplacian = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
+    row.target = laplacian.dot(tangent) * tangent;
+  }
+}
+
+void Report(const Solution& solution, const SolverOptions& options, OptimizerResult& result)
+{
+  result.iterations += solution.iterations;
+  result.relativeResidual = std::max(result.relativeResidual, solution.relativeResidual);
+  result.isConverged = result.relativeResidual <= options.tolerance;
 }
 }
 
@@ -87,6 +113,11 @@ OptimizerResult Optimizer::Run(
   Reorder(this->Order, reordered.laplacianWeights);
   Reorder(this->Order, reordered.prescribedLaplacians);
   Reorder(this->Order, reordered.fixedPoints);
+  Reorder(this->Order, reordered.featurePoints);
+  if (reordered.regions)
+  {
+    reordered.regions = ToNewOrder(this->Order.triangles, std::move(*reordered.regions));
+  }
   OptimizerResult result = this->RunInOrder(options, reordered, monitor);
   Restore(this->Order.vertices, result.positions);
   Restore(this->Order.vertices, result.displacements);
@@ -94,6 +125,7 @@ OptimizerResult Optimizer::Run(
   Restore(this->Order.vertices, result.positionWeights);
   Restore(this->Order.vertices, result.laplacianWeights);
   Restore(this->Order.vertices, result.normals);
+  Restore(this->Order.vertices, result.featureClass);
   MeshQuality before = *result.comparison.before;
   for (MeshQuality* quality : { &before, &result.comparison.after })
   {
@@ -104,27 +136,111 @@ OptimizerResult Optimizer::Run(
   return result;
 }
 
+void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result)
+{
+  MeshAnalysis& mesh = *this->Mesh;
+  LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, lines);
+  monitor.Begin("Solving");
+  Solution solution = this->Solver(problem, options.solverType, options.solver, monitor);
+  Report(solution, options.solver, result);
+  if (options.twicing && options.mode == Mode::SMOOTH)
+  {
+    SmoothTwice(problem, solution.displacement);
+    solution = this->Solver(problem, options.solverType, options.solver, monitor);
+    Report(solution, options.solver, result);
+  }
+  const Points& V = mesh.GetPoints();
+  result.positions.resize(V.rows(), 3);
+  ParallelFor(static_cast<Index>(V.rows()),
+    [&](Index i) { result.positions.row(i) = V.row(i) + solution.displacement.row(i); });
+  Project(lines, mesh, result.positions);
+  if (options.preserveVolume && options.mode == Mode::SMOOTH)
+  {
+    RestoreVolumes(V, mesh.GetTriangles(), mesh.GetTopology(), mesh.GetComponents(), problem.motion,
+      result.positions);
+  }
+  result.positionWeights = std::move(problem.positionWeights);
+  result.laplacianWeights = std::move(problem.laplacianWeights);
+}
+
+void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result)
+{
+  MeshAnalysis& mesh = *this->Mesh;
+  OptimizerOptions smoothing;
+  smoothing.mode = Mode::SMOOTH;
+  smoothing.positionWeighting = PositionWeighting::CONSTANT;
+  smoothing.boundaryCondition = options.boundaryCondition;
+  smoothing.solver = options.solver;
+  this->SolveOnce(smoothing, arrays, lines, monitor, result);
+
+  monitor.Begin("Filtering normals");
+  const Points& V = mesh.GetPoints();
+  const MeshTopology& topology = mesh.GetTopology();
+  const Points normals = FilterNormals(result.positions, mesh.GetTriangles(), topology,
+    options.guide.normalIterations, options.guide.normalWidth);
+  monitor.Begin("Following normals");
+  const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
+  const Solution solution = FollowNormals(V, mesh.GetTriangles(), topology, normals, problem.L,
+    problem.motion, options.guide.detailWeight, options.solver, monitor);
+  Report(solution, options.solver, result);
+  result.positions = V + solution.displacement;
+  Project(lines, mesh, result.positions);
+  if (options.preserveVolume)
+  {
+    RestoreVolumes(
+      V, mesh.GetTriangles(), topology, mesh.GetComponents(), problem.motion, result.positions);
+  }
+}
+
+void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const VertexArrays& arrays,
+  const FeatureLines& lines, Monitor& monitor, OptimizerResult& result)
+{
+  const MotionConstraints motion = ChooseMotion(this->Mesh->GetTopology(), options, arrays, lines);
+  DeviationResult deviation = OptimizeWithinDeviation(*this->Mesh, options, lines, motion, monitor);
+  result.positions = std::move(deviation.positions);
+  result.positionWeights = std::move(deviation.positionWeights);
+  result.laplacianWeights = std::move(deviation.laplacianWeights);
+  result.iterations = deviation.iterations;
+  result.relativeResidual = deviation.relativeResidual;
+  result.deviation = deviation.report;
+  result.isCancelled = deviation.isCancelled;
+}
+
 OptimizerResult Optimizer::RunInOrder(
   const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
 {
   monitor.Begin("Setting up the equations");
   MeshAnalysis& mesh = *this->Mesh;
   mesh.SetRobustLaplacian(options.robustLaplacian);
-  const Points& V = mesh.GetPoints();
-  const std::optional<FeatureLines> boundary = SlidingBoundary(mesh, options.boundaryCondition);
-  LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, boundary);
-  monitor.Begin("Solving");
-  const Solution solution = this->Solver(problem, options.solverType, options.solver, monitor);
-
-  monitor.Begin("Comparing the surfaces");
+  const std::optional<FeatureLines> lines = SlidingLines(mesh, options, arrays);
   OptimizerResult result;
-  Move(V, solution.displacement, options, boundary, mesh.GetSubdomain(), result);
-  result.meanCurvatures = mesh.GetMeanCurvatures();
-  result.positionWeights = std::move(problem.positionWeights);
-  result.laplacianWeights = std::move(problem.laplacianWeights);
-  result.iterations = solution.iterations;
-  result.relativeResidual = solution.relativeResidual;
+  switch (options.mode)
+  {
+    case Mode::OPTIMIZE_WITHIN_DEVIATION:
+      this->StayWithinDeviation(options, arrays, *lines, monitor, result);
+      break;
+    case Mode::SMOOTH_GUIDED:
+      this->FollowFilteredNormals(options, arrays, lines, monitor, result);
+      break;
+    default:
+      this->SolveOnce(options, arrays, lines, monitor, result);
+  }
+  if (!result.isCancelled)
+  {
+    monitor.Begin("Comparing the surfaces");
+  }
+  const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
+  SetDisplacements(V, options, result);
+  result.meanCurvatures = mesh.GetMeanCurvatures();
+  if (lines && HasFeatures(options))
+  {
+    result.featureClass = Eigen::Map<const Eigen::Matrix<unsigned char, Eigen::Dynamic, 1>>(
+      lines->pointClass.data(), static_cast<Eigen::Index>(lines->pointClass.size()))
+                            .cast<double>();
+  }
   if (options.computeNormals)
   {
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());

@@ -3,6 +3,7 @@
 #ifndef lmo_Optimizer_h
 #define lmo_Optimizer_h
 
+#include "DeviationOptimizer.h"
 #include "InverseCache.h"
 #include "OptimizerOptions.h"
 #include "SurfaceComparison.h"
@@ -23,6 +24,10 @@ struct OptimizerResult
   SurfaceComparison comparison; ///< of the input and the result
   Index iterations = 0;
   double relativeResidual = 0;
+  bool isConverged = true; ///< the residual is within the tolerance
+  Vector featureClass;     ///< FeatureLines::Class of each vertex; no rows without features
+  DeviationReport deviation;
+  bool isCancelled = false; ///< the monitor asked to stop, and this is what there was by then
 };
 
 /// Solves a problem as Solve() does.
@@ -46,7 +51,7 @@ public:
   Optimizer(const Optimizer&) = delete;
   void operator=(const Optimizer&) = delete;
 
-  /// Moves the vertices to the solution of Eqn. 11.
+  /// Moves the vertices as the mode says.
   /// \throw InputError if an array that the options need is missing.
   /// \throw SolverError, Cancelled as Solve() does.
   OptimizerResult Run(
@@ -60,6 +65,18 @@ public:
 private:
   OptimizerResult RunInOrder(
     const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
+
+  /// Sets V' and the figures of the solution: by Eqn. 11 once,
+  void SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
+    const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result);
+
+  /// or along filtered normals,
+  void FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
+    const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result);
+
+  /// or by passes within a deviation.
+  void StayWithinDeviation(const OptimizerOptions& options, const VertexArrays& arrays,
+    const FeatureLines& lines, Monitor& monitor, OptimizerResult& result);
 
   MeshOrder Order;
   std::unique_ptr<MeshAnalysis> Mesh;

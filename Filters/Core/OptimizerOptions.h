@@ -13,10 +13,11 @@ namespace lmo
 /// Section 4: what L and f are.
 enum class Mode
 {
-  OPTIMIZE_TRIANGLES,   ///< L = L_u, f = delta_c (section 5)
-  SMOOTH,               ///< f = 0 (section 6)
-  PRESCRIBED_LAPLACIANS, ///< f from the user
-  OPTIMIZE_WITHIN_DEVIATION ///< passes of the first, within an error
+  OPTIMIZE_TRIANGLES,        ///< L = L_u, f = delta_c (section 5)
+  SMOOTH,                    ///< f = 0 (section 6)
+  PRESCRIBED_LAPLACIANS,     ///< f from the user
+  OPTIMIZE_WITHIN_DEVIATION, ///< passes of the first, within an error
+  SMOOTH_GUIDED              ///< the triangles follow filtered normals
 };
 
 enum class PositionWeighting
@@ -52,6 +53,14 @@ struct DeviationOptions
   bool improveWorstTriangles = true;
 };
 
+/// Mode::SMOOTH_GUIDED.
+struct GuideOptions
+{
+  int normalIterations = 10;
+  double normalWidth = 0.25;
+  double detailWeight = 0.3;
+};
+
 /// The properties of vtkLaplacianMeshOptimizer; see there for meaning and ranges.
 struct OptimizerOptions
 {
@@ -69,19 +78,25 @@ struct OptimizerOptions
   SolverType solverType = SolverType::AUTOMATIC;
   SolverOptions solver;
   DeviationOptions deviation;
-  double featureAngle = 40; ///< degrees
+  GuideOptions guide;
+  bool featureConstraints = false;
   bool detectFeatures = true;
+  double featureAngle = 40; ///< degrees
+  bool preserveVolume = false;
+  bool twicing = false;
   bool computeNormals = false; ///< fill OptimizerResult::normals
   bool roundToFloat = false;   ///< round V' as the caller will, so that all figures fit it
 };
 
-/// Values that the user may give for each vertex.
+/// Values that the user may give for each vertex, and one for each triangle.
 struct VertexArrays
 {
   std::optional<Vector> positionWeights;      ///< W_p or anchors, from 0 to LargestWeight
   std::optional<Vector> laplacianWeights;     ///< W_L, from 0 to LargestWeight
   std::optional<Points> prescribedLaplacians; ///< f
   std::optional<Vector> fixedPoints;          ///< not 0: does not move
+  std::optional<Vector> featurePoints;        ///< not 0: on a feature line or corner
+  std::optional<Vector> regions; ///< of each triangle; feature lines are between different ones
 };
 }
 

@@ -4,6 +4,7 @@
 
 #include "Curvature.h"
 #include "Exceptions.h"
+#include "FeatureDetection.h"
 #include "Parallel.h"
 #include "TriangleGeometry.h"
 
@@ -64,8 +65,9 @@ LaplacianType UsedLaplacian(const OptimizerOptions& options)
   return options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
 }
 
-/// L of section 4, its rows as the boundary condition wants them.
-Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
+/// L of section 4, without rows at vertices on lines and at a boundary that is not free.
+Laplacian ChooseLaplacian(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const std::optional<FeatureLines>& lines)
 {
   const LaplacianType type = UsedLaplacian(options);
   Laplacian L = mesh.GetLaplacian(type);
@@ -74,14 +76,41 @@ Laplacian ChooseLaplacian(MeshAnalysis& mesh, const OptimizerOptions& options)
     L.rowScale *= SquaredLengthScale(L, mesh.GetSubdomain());
   }
   const MeshTopology& topology = mesh.GetTopology();
-  if (options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty())
+  const bool hasBoundary =
+    options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty();
+  if (hasBoundary || lines)
   {
     for (Index i = 0; i < topology.vertices; ++i)
     {
-      L.rowScale[i] = topology.isBoundary[i] ? 0 : L.rowScale[i];
+      const bool isOnLine = lines && lines->pointClass[i] != FeatureLines::SMOOTH;
+      const bool isEmpty = isOnLine || (hasBoundary && topology.isBoundary[i]);
+      L.rowScale[i] = isEmpty ? 0 : L.rowScale[i];
     }
   }
   return L;
+}
+
+/// Between regions, between tagged vertices, or detected.
+AdjacencyLists FeatureEdges(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  if (arrays.regions)
+  {
+    return EdgesBetweenRegions(*arrays.regions, mesh.GetTriangles(), topology);
+  }
+  if (arrays.featurePoints)
+  {
+    return EdgesBetweenTagged(*arrays.featurePoints, topology);
+  }
+  if (options.detectFeatures)
+  {
+    return DetectFeatureEdges(mesh.GetPoints(), mesh.GetTriangles(), topology,
+      mesh.GetQuality()->triangles, options.featureAngle);
+  }
+  AdjacencyLists none;
+  none.offsets.assign(topology.vertices + 1, 0);
+  return none;
 }
 
 /// c = f - L V, with f of section 4.
@@ -101,39 +130,17 @@ std::shared_ptr<const Points> ChooseTarget(MeshAnalysis& mesh, const Laplacian& 
   return std::make_shared<const Points>(std::move(target));
 }
 
-MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& boundary)
-{
-  MotionConstraints motion;
-  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
-  ParallelFor(topology.vertices,
-    [&](Index i)
-    {
-      const bool isFixed =
-        motion.freedom[i] || (boundary && boundary->pointClass[i] == FeatureLines::CORNER);
-      const bool slides = boundary && boundary->pointClass[i] == FeatureLines::EDGE;
-      motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
-                          : slides ? MotionConstraints::ALONG_LINE
-                                   : MotionConstraints::FREE;
-    });
-  if (boundary)
-  {
-    motion.axes = boundary->tangents;
-  }
-  return motion;
-}
-
-/// Rows that spread the boundary vertices evenly along the boundary and leave its shape alone: the
-/// prescribed Laplacian of the curve is its own part across the curve.
+/// Rows that spread the vertices evenly along their line and leave its shape alone: the prescribed
+/// Laplacian of the line is its own part across it.
 std::vector<LineRow> SlidingRows(
-  const FeatureLines& boundary, const Points& V, const Vector& laplacianWeights)
+  const FeatureLines& lines, const Points& V, const Vector& laplacianWeights)
 {
   std::vector<LineRow> rows;
-  ForEachLineVertex(boundary,
+  ForEachLineVertex(lines,
     [&](Index i, Index previous, Index next)
     {
       const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
-      const Vector3 tangent = boundary.tangents.row(i);
+      const Vector3 tangent = lines.tangents.row(i);
       rows.push_back({ i, previous, next, laplacianWeights[i], -laplacian.dot(tangent) * tangent });
     });
   return rows;
@@ -179,28 +186,70 @@ Vector LaplacianWeights(
   }
 }
 
-std::optional<FeatureLines> SlidingBoundary(MeshAnalysis& mesh, BoundaryCondition boundaryCondition)
+bool HasFeatures(const OptimizerOptions& options)
 {
-  if (boundaryCondition != BoundaryCondition::SLIDING || !mesh.HasBoundary())
+  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION ||
+         (options.featureConstraints && options.mode <= Mode::SMOOTH);
+}
+
+std::optional<FeatureLines> SlidingLines(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const bool hasFeatures = HasFeatures(options);
+  const bool hasBoundary =
+    options.boundaryCondition == BoundaryCondition::SLIDING && mesh.HasBoundary();
+  if (!hasFeatures && !hasBoundary)
   {
     return std::nullopt;
   }
-  return ClassifyLines(
-    std::make_shared<AdjacencyLists>(mesh.GetTopology().boundaryEdges), mesh.GetPoints());
+  const MeshTopology& topology = mesh.GetTopology();
+  AdjacencyLists edges;
+  edges.offsets.assign(topology.vertices + 1, 0);
+  if (hasFeatures)
+  {
+    edges = FeatureEdges(mesh, options, arrays);
+  }
+  if (hasBoundary)
+  {
+    edges = MergeEdges(edges, topology.boundaryEdges);
+  }
+  return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+}
+
+MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+{
+  MotionConstraints motion;
+  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const bool isFixed =
+        motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
+      const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
+      motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
+                          : slides ? MotionConstraints::ALONG_LINE
+                                   : MotionConstraints::FREE;
+    });
+  if (lines)
+  {
+    motion.axes = lines->tangents;
+  }
+  return motion;
 }
 
 LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& boundary)
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
 {
   LeastSquaresProblem problem;
-  problem.L = ChooseLaplacian(mesh, options);
+  problem.L = ChooseLaplacian(mesh, options, lines);
   problem.laplacianWeights = LaplacianWeights(mesh, options, arrays);
   problem.target = ChooseTarget(mesh, problem.L, options, arrays);
   problem.positionWeights = PositionWeights(mesh, options, arrays);
-  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, boundary);
-  if (boundary)
+  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
+  if (lines)
   {
-    problem.lineRows = SlidingRows(*boundary, mesh.GetPoints(), problem.laplacianWeights);
+    problem.lineRows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacianWeights);
   }
   if (options.tangentPlaneConstraints)
   {

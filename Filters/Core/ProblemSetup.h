@@ -19,15 +19,24 @@ Vector PositionWeights(
 Vector LaplacianWeights(
   MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays);
 
-/// The boundary curves, if vertices are to slide along them.
-std::optional<FeatureLines> SlidingBoundary(
-  MeshAnalysis& mesh, BoundaryCondition boundaryCondition);
+/// True if the options ask for features.
+bool HasFeatures(const OptimizerOptions& options);
+
+/// The lines along which vertices slide: the boundary and features, as far as the options ask for
+/// them.
+std::optional<FeatureLines> SlidingLines(
+  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays);
+
+/// What each vertex may do.
+/// \param lines what SlidingLines() returned
+MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines);
 
 /// Eqn. 11 for the options.
-/// \param boundary what SlidingBoundary() returned
+/// \param lines what SlidingLines() returned
 /// \throw InputError if an array that the options need is missing.
 LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& boundary);
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines);
 }
 
 #endif

@@ -3,8 +3,8 @@
 #ifndef lmo_TriangleCover_h
 #define lmo_TriangleCover_h
 
-#include "TriangleNeighbours.h"
 #include "TriangleGeometry.h"
+#include "TriangleNeighbours.h"
 #include "TriangleTree.h"
 
 #include <algorithm>

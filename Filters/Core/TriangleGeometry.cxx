@@ -59,7 +59,8 @@ Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t)
   return edges.next.cross(edges.previous);
 }
 
-// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision Detection, 5.1.5).
+// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision
+// Detection, 5.1.5).
 Vector3 ClosestPointOnTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
 {

@@ -118,8 +118,8 @@ void TriangleTree::Refit()
     return;
   }
   this->IsCurrent = true;
-  ParallelFor(this->Leaves,
-    [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
+  ParallelFor(
+    this->Leaves, [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
   for (Index level = this->Leaves / 2; level > 0; level /= 2)
   {
     ParallelFor(level,

@@ -59,10 +59,10 @@ private:
   const Points& V;
   const Triangles& T;
   bool IsCurrent = false;
-  Index Leaves = 1;         ///< a power of two
-  std::vector<Index> Order; ///< the triangles, those of a leaf side by side
+  Index Leaves = 1;          ///< a power of two
+  std::vector<Index> Order;  ///< the triangles, those of a leaf side by side
   std::vector<Index> LeafOf; ///< leaf of each triangle, or -1
-  std::vector<Box> Boxes;   ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
+  std::vector<Box> Boxes;    ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
 };
 }
 

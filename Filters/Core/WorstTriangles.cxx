@@ -94,8 +94,8 @@ private:
     Shape shape;
     for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
     {
-      const double t = RadiusRatio(position, V.row(this->T.data()[NextCorner(*c)]),
-        V.row(this->T.data()[PreviousCorner(*c)]));
+      const double t = RadiusRatio(
+        position, V.row(this->T.data()[NextCorner(*c)]), V.row(this->T.data()[PreviousCorner(*c)]));
       shape.minimum = std::min(shape.minimum, t);
       shape.sum += t;
     }
@@ -176,12 +176,14 @@ private:
     {
       return false;
     }
-    for (int move = 0; move < MostMoves && (move == 0 || this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex)).minimum < goal); ++move)
+    for (int move = 0;
+         move < MostMoves &&
+         (move == 0 || this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex)).minimum < goal);
+         ++move)
     {
       const std::vector<Proposal> proposals = this->Propose(vertex, goal);
       const bool isAdmitted = std::any_of(proposals.begin(), proposals.end(),
-        [&](const Proposal& proposal)
-        { return this->Guard.TryMove(vertex, proposal.position); });
+        [&](const Proposal& proposal) { return this->Guard.TryMove(vertex, proposal.position); });
       if (!isAdmitted)
       {
         return move > 0;

@@ -40,6 +40,11 @@ void CheckOptions(const OptimizerOptions& options)
     throw InputError("This mode works in one process only. Choose OPTIMIZE_TRIANGLES, SMOOTH or "
                      "PRESCRIBED_LAPLACIANS, or run in one process.");
   }
+  if (options.featureConstraints || options.preserveVolume)
+  {
+    throw InputError("FeatureConstraints and PreserveVolume work in one process only. Switch them "
+                     "off, or run in one process.");
+  }
 }
 }
 

@@ -62,5 +62,16 @@ void vtkLaplacianMeshOptimizer::Engine::SetInput(vtkPolyData* input)
 lmo::OptimizerResult vtkLaplacianMeshOptimizer::Engine::Run(
   const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays, lmo::Monitor& monitor)
 {
-  return this->Optimizer->Run(options, arrays, monitor);
+  if (!arrays.regions)
+  {
+    return this->Optimizer->Run(options, arrays, monitor);
+  }
+  lmo::VertexArrays ofTriangles = arrays;
+  lmo::Vector& regions = *ofTriangles.regions;
+  regions.resize(this->Optimizer->GetMesh().GetTriangles().rows());
+  for (lmo::Index t = 0; t < regions.size(); ++t)
+  {
+    regions[t] = (*arrays.regions)[this->TriangleCells(t)];
+  }
+  return this->Optimizer->Run(options, ofTriangles, monitor);
 }

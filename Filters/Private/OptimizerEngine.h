@@ -33,7 +33,8 @@ public:
   /// \throw InputError as lmo::ReadMesh() does.
   virtual void SetInput(vtkPolyData* input);
 
-  /// As lmo::Optimizer::Run(), with a row for each point and each triangle of the input.
+  /// As lmo::Optimizer::Run(), with a row for each point and each triangle of the input; regions
+  /// are those of the cells.
   virtual lmo::OptimizerResult Run(
     const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays, lmo::Monitor& monitor);
 

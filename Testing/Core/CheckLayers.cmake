@@ -12,20 +12,30 @@ set(layers
   Parallel
   MeshTopology
   VertexOrder
+  TriangleNeighbours
   TriangleGeometry
+  TriangleTree
+  ConvexityTest
+  TriangleCover
+  DistanceProofs
   Ranking
   Features
+  FeatureDetection
   Subdomain
   Weights
   IntrinsicTriangulation
   Laplacian
   RobustLaplacian
   Quality
+  DeviationGuard
+  NormalFilter
   Curvature
   MeshAnalysis
   SurfaceSampler
   SurfaceComparison
   LeastSquaresProblem
+  VolumePreservation
+  WorstTriangles
   PackedStiffness
   PackedEquations
   Preconditioner
@@ -38,10 +48,12 @@ set(layers
   InverseCache
   SquaredPreconditioner
   ConjugateGradient
+  GuidedSmoothing
   DirectSolver
   LinearSolver
   OptimizerOptions
   ProblemSetup
+  DeviationOptimizer
   Optimizer)
 
 # What a file includes, as a list of names without < > and quotes.

@@ -27,7 +27,7 @@ struct System
   System(const TestMesh& mesh, const OptimizerOptions& options)
   {
     MeshAnalysis analysis(mesh.V, mesh.T);
-    const auto boundary = SlidingBoundary(analysis, options.boundaryCondition);
+    const auto boundary = SlidingLines(analysis, options, {});
     this->problem = SetUpProblem(analysis, options, {}, boundary);
     this->A = std::make_unique<PackedEquations<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(this->problem, this->A->GetStiffness());

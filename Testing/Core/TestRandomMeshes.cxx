@@ -113,7 +113,7 @@ LeastSquaresProblem ProblemOf(const Sample& sample)
   MeshAnalysis mesh(sample.mesh.V, sample.mesh.T);
   mesh.SetRobustLaplacian(sample.options.robustLaplacian);
   return SetUpProblem(
-    mesh, sample.options, sample.arrays, SlidingBoundary(mesh, sample.options.boundaryCondition));
+    mesh, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
 }
 
 /// Faults of one seed, an empty list if there are none.

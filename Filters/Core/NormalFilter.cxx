@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NormalFilter.h"
+
+#include "Parallel.h"
+#include "TriangleGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+/// Calls visit(neighbour) once for each triangle that shares a vertex with t, t itself included.
+template <typename Visit>
+void ForEachAround(
+  const Triangles& triangles, const AdjacencyLists& cornersAt, Index t, const Visit& visit)
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index i = triangles(t, k);
+    for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+    {
+      const Index neighbour = *corner / 3;
+      bool isFirst = true;
+      for (int before = 0; before < k; ++before)
+      {
+        const Index j = triangles(t, before);
+        isFirst = isFirst && triangles(neighbour, 0) != j && triangles(neighbour, 1) != j &&
+                  triangles(neighbour, 2) != j;
+      }
+      if (isFirst)
+      {
+        visit(neighbour);
+      }
+    }
+  }
+}
+
+/// Mean distance of the centroids of neighbours.
+double MeanDistance(
+  const Points& centroids, const Triangles& triangles, const AdjacencyLists& cornersAt)
+{
+  const Eigen::Array2d sum =
+    ParallelSum(static_cast<Index>(triangles.rows()), Eigen::Array2d(Eigen::Array2d::Zero()),
+      [&](Eigen::Array2d& partial, Index t)
+      {
+        ForEachAround(triangles, cornersAt, t,
+          [&](Index neighbour)
+          {
+            if (neighbour != t)
+            {
+              partial[0] += (centroids.row(neighbour) - centroids.row(t)).norm();
+              partial[1] += 1;
+            }
+          });
+      });
+  return sum[1] > 0 ? sum[0] / sum[1] : 0;
+}
+}
+
+Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+  int iterations, double width)
+{
+  const auto count = static_cast<Index>(triangles.rows());
+  Points centroids(count, 3);
+  Points normals(count, 3);
+  Vector areas(count);
+  ParallelFor(count,
+    [&](Index t)
+    {
+      const Vector3 normal = ScaledNormal(V, triangles, t);
+      centroids.row(t) =
+        (V.row(triangles(t, 0)) + V.row(triangles(t, 1)) + V.row(triangles(t, 2))) / 3;
+      normals.row(t) = normal.stableNormalized();
+      areas[t] = 0.5 * normal.norm();
+    });
+  const AdjacencyLists& cornersAt = topology.cornersAt;
+  const double distance = MeanDistance(centroids, triangles, cornersAt);
+  const double nearness = distance > 0 ? 0.5 / (distance * distance) : 0;
+  const double likeness = 0.5 / (width * width);
+  Points filtered(count, 3);
+  for (int iteration = 0; iteration < iterations; ++iteration)
+  {
+    ParallelFor(count,
+      [&](Index t)
+      {
+        Vector3 sum = Vector3::Zero();
+        ForEachAround(triangles, cornersAt, t,
+          [&](Index neighbour)
+          {
+            const double exponent =
+              nearness * (centroids.row(neighbour) - centroids.row(t)).squaredNorm() +
+              likeness * (normals.row(neighbour) - normals.row(t)).squaredNorm();
+            sum += areas[neighbour] * std::exp(-exponent) * normals.row(neighbour);
+          });
+        filtered.row(t) = sum.stableNormalized();
+      });
+    std::swap(normals, filtered);
+  }
+  return normals;
+}
+}
