@@ -6,6 +6,9 @@
 #include "Ordering.h"
 #include "RunAside.h"
 
+#include <algorithm>
+#include <cmath>
+
 #ifdef LMO_USE_CHOLMOD
 #include <Eigen/CholmodSupport>
 #else
@@ -26,6 +29,30 @@ using Factorisation = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering
 {
   throw SolverError("The linear system is singular: the weights leave some points undetermined. "
                     "Give them position weights, or use the iterative solver.");
+}
+
+/// A vertex with n neighbours makes a full block of n x n entries: with ten thousand neighbours
+/// more than the memory of most machines holds. \throw SolverError if the entries are too many.
+void CheckDensity(const LeastSquaresProblem& problem)
+{
+  constexpr double entriesPerVertex = 500;
+  constexpr double affordableEntries = 1e7;
+  const AdjacencyLists& rings = *problem.L.rings;
+  double entries = 0;
+  Index largest = 0;
+  for (Index i = 0; i < problem.Size(); ++i)
+  {
+    const double size = problem.L.rowScale[i] != 0 ? rings.Size(i) : 0;
+    entries += size * size;
+    largest = std::max(largest, rings.Size(i));
+  }
+  if (entries > affordableEntries + entriesPerVertex * problem.Size())
+  {
+    throw SolverError("The matrix of the direct solver would have " +
+                      std::to_string(std::llround(entries)) +
+                      " entries because of points with up to " + std::to_string(largest) +
+                      " neighbours; use the iterative solver.");
+  }
 }
 
 /// Replaces the rows and columns of fixed vertices and of vertices that no term touches by the
@@ -127,6 +154,7 @@ SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseM
 
 SparseMatrix NormalMatrix(const LeastSquaresProblem& problem)
 {
+  CheckDensity(problem);
   SparseMatrix A = FormMatrix(problem);
   EliminateFixed(problem.motion, A);
   return problem.IsCoupled() ? FormCoupledMatrix(problem, A) : A;

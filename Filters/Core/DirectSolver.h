@@ -15,7 +15,7 @@ SparseMatrix NormalMatrix(const LeastSquaresProblem& problem);
 
 /// Solves the normal equations of a problem by a sparse factorisation: n x n for x, y and z at
 /// once, or 3n x 3n where they are coupled.
-/// \throw SolverError if the matrix is singular.
+/// \throw SolverError if the matrix is singular or too dense.
 /// \throw Cancelled if the monitor says so.
 Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor);
 }

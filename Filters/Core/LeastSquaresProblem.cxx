@@ -4,8 +4,34 @@
 
 #include "Parallel.h"
 
+#include <cmath>
+
 namespace lmo
 {
+double Energy(const LeastSquaresProblem& problem, const Points& d)
+{
+  const Points still = Points::Zero(d.rows() > 0 ? 0 : problem.Size(), 3);
+  const Points& x = d.rows() > 0 ? d : still;
+  double energy = ParallelSum(problem.Size(), 0.0,
+    [&](double& sum, Index i)
+    {
+      const Vector3 laplacian = -problem.L.rowScale[i] * StiffnessRow(problem.L, x, i);
+      sum += (problem.laplacianWeights[i] * (laplacian - problem.target->row(i))).squaredNorm() +
+             (problem.positionWeights[i] * x.row(i)).squaredNorm();
+      if (problem.tangentPlaneNormals.rows() > 0)
+      {
+        const double height = problem.tangentPlaneNormals.row(i).dot(x.row(i));
+        sum += std::pow(problem.tangentPlaneWeight * height, 2);
+      }
+    });
+  for (const LineRow& row : problem.lineRows)
+  {
+    const Vector3 value = 0.5 * (x.row(row.previous) + x.row(row.next)) - x.row(row.vertex);
+    energy += (row.weight * (value - row.target)).squaredNorm();
+  }
+  return energy;
+}
+
 Vector Diagonal(const LeastSquaresProblem& problem)
 {
   const Laplacian& L = problem.L;

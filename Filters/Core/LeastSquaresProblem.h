@@ -78,6 +78,10 @@ inline double RowWeight(const LeastSquaresProblem& problem, Index i)
   return weight * weight;
 }
 
+/// The value that a solution minimises, from its definition.
+/// \param d no rows stand for 0
+double Energy(const LeastSquaresProblem& problem, const Points& d);
+
 /// Diagonal of L^T W_L^2 L + W_p^2 and the line rows, one value for x, y and z; 1 where no row of
 /// the problem touches the vertex.
 Vector Diagonal(const LeastSquaresProblem& problem);

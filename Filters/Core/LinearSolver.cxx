@@ -7,6 +7,7 @@
 #include "SquaredPreconditioner.h"
 
 #include <cmath>
+#include <sstream>
 
 namespace lmo
 {
@@ -31,6 +32,14 @@ bool IsFinished(const Solution& solution, const SolverOptions& options)
   return IsSolved(solution, options) || solution.iterations >= options.maximumIterations;
 }
 
+/// True if the energy is not above that of another displacement by more than round-off. Where the
+/// matrix is nearly singular a small residual does not say so.
+bool IsNoWorse(const LeastSquaresProblem& problem, const Points& d, const Points& other)
+{
+  constexpr double roundOff = 1e-9;
+  return Energy(problem, d) <= (1 + roundOff) * Energy(problem, other);
+}
+
 /// Goes on from the solution so far; keeps it if no better one is found.
 /// \param affordable as in ConjugateGradient::Run()
 template <typename Preconditioner, typename Scalar>
@@ -41,7 +50,8 @@ void Iterate(PackedEquations<Scalar>& A, Preconditioner&& M, const SolverOptions
   ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M)
     .Run(options, affordable, monitor, next);
   solution.iterations = next.iterations;
-  if (next.relativeResidual <= solution.relativeResidual)
+  if (next.relativeResidual <= solution.relativeResidual &&
+      IsNoWorse(A.GetProblem(), next.displacement, solution.displacement))
   {
     solution = std::move(next);
   }
@@ -111,7 +121,7 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Monitor& monitor, Solut
   {
     Points direct = SolveDirectly(problem, monitor);
     const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
-    if (residual < solution.relativeResidual)
+    if (residual < solution.relativeResidual && IsNoWorse(problem, direct, solution.displacement))
     {
       solution.displacement = std::move(direct);
       solution.relativeResidual = residual;
@@ -119,6 +129,20 @@ void ImproveDirectly(const LeastSquaresProblem& problem, Monitor& monitor, Solut
   }
   catch (const SolverError&)
   {
+  }
+}
+
+/// \throw SolverError if a solution is worse than no motion.
+void CheckEnergy(const LeastSquaresProblem& problem, const Solution& solution)
+{
+  if (!IsNoWorse(problem, solution.displacement, {}))
+  {
+    std::ostringstream text;
+    text << "The energy of the solver's result is " << Energy(problem, solution.displacement)
+         << ", worse than that of the input, " << Energy(problem, {})
+         << ": the system is nearly singular. Choose weights that differ less in size, or use the "
+            "iterative solver.";
+    throw SolverError(text.str());
   }
 }
 
@@ -146,6 +170,10 @@ Solution SolveByDiagonal(
     Iterate(A, JacobiPreconditioner<float>(problem), options, options.maximumIterations, monitor,
       solution);
   }
+  if (solution.displacement.rows() == 0)
+  {
+    solution.displacement = Points::Zero(problem.Size(), 3);
+  }
   return solution;
 }
 
@@ -163,6 +191,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
     solution.displacement = SolveDirectly(problem, monitor);
     solution.relativeResidual =
       ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
+    CheckEnergy(problem, solution);
     return solution;
   }
   try

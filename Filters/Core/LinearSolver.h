@@ -19,7 +19,8 @@ enum class SolverType
 };
 
 /// \param inverses from problems before, which may help
-/// \throw SolverError if a direct solution is asked for and the matrix is singular.
+/// \throw SolverError if a direct solution is asked for and the matrix is singular or too dense, or
+/// its solution is worse than no motion.
 /// \throw Cancelled if the monitor says so.
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   Monitor& monitor, InverseCache& inverses);

@@ -103,6 +103,33 @@ Faults FindHuge(const Points& points)
   return FindFaults(points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= largest; });
 }
 
+/// \throw InputError if the points are apart, but so little that areas underflow.
+void CheckExtent(const Points& points)
+{
+  constexpr double smallest = 1e-70;
+  if (points.rows() > 0)
+  {
+    const double extent = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+    if (extent > 0 && extent < smallest)
+    {
+      std::ostringstream text;
+      text << "The " << points.rows() << " points span no more than " << extent
+           << ", less than 1e-70, and areas are too small to be computed. Scale them.";
+      throw InputError(text.str());
+    }
+  }
+}
+
+/// \throw InputError if the offsets do not fit the connectivity, which only hand-made cells have.
+void CheckOffsets(vtkCellArray* cells, const char* what)
+{
+  if (cells->GetNumberOfCells() > 0 && !cells->IsValid())
+  {
+    throw InputError("The offsets of the " + std::to_string(cells->GetNumberOfCells()) + " " +
+                     what + " do not fit their connectivity. Repair the cells of the input.");
+  }
+}
+
 std::string NameOf(vtkDataArray* array)
 {
   return "The point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
@@ -264,6 +291,9 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
     .ThrowIfAny("points have NaN or infinite coordinates", "point", "Remove or repair them.");
   FindHuge(mesh.points)
     .ThrowIfAny("points have coordinates above 1e70", "point", "Remove or scale them.");
+  CheckExtent(mesh.points);
+  CheckOffsets(input->GetPolys(), "polygons");
+  CheckOffsets(input->GetStrips(), "strips");
 
   ReadCells(input, mesh);
   return mesh;

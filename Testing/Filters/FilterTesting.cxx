@@ -95,9 +95,20 @@ bool AreEqual(vtkAbstractArray* a, vtkAbstractArray* b)
                  a->GetNumberOfComponents() == b->GetNumberOfComponents();
   for (vtkIdType i = 0; isEqual && i < a->GetNumberOfValues(); ++i)
   {
-    isEqual = a->GetVariantValue(i) == b->GetVariantValue(i);
+    const vtkVariant valueOfA = a->GetVariantValue(i);
+    const vtkVariant valueOfB = b->GetVariantValue(i);
+    const bool areNaN = valueOfA != valueOfA && valueOfB != valueOfB;
+    isEqual = valueOfA == valueOfB || areNaN;
   }
   return isEqual;
+}
+
+bool AreEqual(vtkPoints* a, vtkPoints* b)
+{
+  // A copy of no points is an empty vtkPoints.
+  const auto isEmpty = [](vtkPoints* points)
+  { return !points || points->GetNumberOfPoints() == 0; };
+  return isEmpty(a) ? isEmpty(b) : b && AreEqual(a->GetData(), b->GetData());
 }
 }
 
@@ -183,23 +194,15 @@ double FieldValue(vtkPolyData* mesh, const char* name)
 
 bool AreEqual(vtkCellArray* a, vtkCellArray* b)
 {
-  bool isEqual = a->GetNumberOfCells() == b->GetNumberOfCells();
-  vtkNew<vtkIdList> idsOfA;
-  vtkNew<vtkIdList> idsOfB;
-  for (vtkIdType cell = 0; isEqual && cell < a->GetNumberOfCells(); ++cell)
-  {
-    a->GetCellAtId(cell, idsOfA);
-    b->GetCellAtId(cell, idsOfB);
-    isEqual = std::equal(idsOfA->begin(), idsOfA->end(), idsOfB->begin(), idsOfB->end());
-  }
-  return isEqual;
+  return AreEqual(a->GetOffsetsArray(), b->GetOffsetsArray()) &&
+         AreEqual(a->GetConnectivityArray(), b->GetConnectivityArray());
 }
 
 bool AreEqual(vtkPolyData* a, vtkPolyData* b)
 {
-  return AreEqual(a->GetPoints()->GetData(), b->GetPoints()->GetData()) &&
-         AreEqual(a->GetVerts(), b->GetVerts()) && AreEqual(a->GetLines(), b->GetLines()) &&
-         AreEqual(a->GetPolys(), b->GetPolys()) && AreEqual(a->GetStrips(), b->GetStrips()) &&
+  return AreEqual(a->GetPoints(), b->GetPoints()) && AreEqual(a->GetVerts(), b->GetVerts()) &&
+         AreEqual(a->GetLines(), b->GetLines()) && AreEqual(a->GetPolys(), b->GetPolys()) &&
+         AreEqual(a->GetStrips(), b->GetStrips()) &&
          Contains(a->GetPointData(), b->GetPointData()) &&
          Contains(b->GetPointData(), a->GetPointData()) &&
          Contains(a->GetCellData(), b->GetCellData()) &&
