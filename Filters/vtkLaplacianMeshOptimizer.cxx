@@ -116,6 +116,7 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   lmo::OptimizerOptions options;
   options.mode = static_cast<lmo::Mode>(filter.Mode);
   options.laplacianType = static_cast<lmo::LaplacianType>(filter.LaplacianType);
+  options.robustLaplacian = filter.RobustLaplacian;
   options.positionWeighting = static_cast<lmo::PositionWeighting>(filter.PositionWeighting);
   options.scaleFactor = filter.ScaleFactor;
   options.laplacianWeighting = static_cast<lmo::LaplacianWeighting>(filter.LaplacianWeighting);
@@ -347,6 +348,7 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Mode: " << this->Mode << "\n";
   os << indent << "LaplacianType: " << this->LaplacianType << "\n";
+  os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
   os << indent << "PositionWeighting: " << this->PositionWeighting << "\n";
   os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
   os << indent << "LaplacianWeighting: " << this->LaplacianWeighting << "\n";

@@ -152,6 +152,18 @@ public:
 
   ///@{
   /**
+   * Whether the cotangent weights of L_c, L_ck and delta_c are those of the intrinsic Delaunay
+   * triangulation of the surface (Sharp and Crane 2020), which are never negative, instead of those
+   * of Eqn. 4. For meshes with slivers, obtuse or degenerate triangles and edges of three and more
+   * triangles; elsewhere it changes little and costs time. Default: off.
+   */
+  vtkSetMacro(RobustLaplacian, vtkTypeBool);
+  vtkGetMacro(RobustLaplacian, vtkTypeBool);
+  vtkBooleanMacro(RobustLaplacian, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * How strongly each point is held where it was: the diagonal of W_p (section 5). CONSTANT (0): s.
    * LINEAR (1): from 0 at the least to s at the largest mean curvature, outliers clamped by a
    * box-plot test; for CAD models. CDF (2): s times the share of points with at most the same mean
@@ -348,6 +360,7 @@ protected:
 
   int Mode = OPTIMIZE_TRIANGLES;
   int LaplacianType = UNIFORM;
+  vtkTypeBool RobustLaplacian = 0;
   int PositionWeighting = CDF;
   double ScaleFactor = 1;
   int LaplacianWeighting = CONSTANT;

@@ -52,6 +52,7 @@ int vtkMeshLaplacian::RequestData(
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
       lmo::MeshAnalysis mesh(std::move(surface.points), std::move(surface.triangles));
+      mesh.SetRobustLaplacian(this->RobustLaplacian);
       output->ShallowCopy(input);
       AddLaplacians(mesh, output->GetPointData());
     });
@@ -60,6 +61,7 @@ int vtkMeshLaplacian::RequestData(
 void vtkMeshLaplacian::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

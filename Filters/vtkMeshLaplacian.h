@@ -38,6 +38,18 @@ public:
   vtkTypeMacro(vtkMeshLaplacian, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
+  /**
+   * Whether the cotangent weights and the Voronoi areas are those of the intrinsic Delaunay
+   * triangulation of the surface (Sharp and Crane 2020) instead of those of the mesh. No weight is
+   * negative then, also on slivers, degenerate triangles and edges of three and more triangles.
+   * Affects all arrays but `UniformLaplacian`. Default: off.
+   */
+  vtkSetMacro(RobustLaplacian, vtkTypeBool);
+  vtkGetMacro(RobustLaplacian, vtkTypeBool);
+  vtkBooleanMacro(RobustLaplacian, vtkTypeBool);
+  ///@}
+
 protected:
   vtkMeshLaplacian() = default;
   ~vtkMeshLaplacian() override = default;
@@ -45,6 +57,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  vtkTypeBool RobustLaplacian = 0;
+
   vtkMeshLaplacian(const vtkMeshLaplacian&) = delete;
   void operator=(const vtkMeshLaplacian&) = delete;
 };

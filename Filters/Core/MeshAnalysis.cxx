@@ -4,6 +4,7 @@
 
 #include "Curvature.h"
 #include "Parallel.h"
+#include "RobustLaplacian.h"
 #include "TriangleGeometry.h"
 
 #include <algorithm>
@@ -44,7 +45,7 @@ Points ComputeDetailTarget(const Laplacian& uniform, const Laplacian& cotangent,
     [&](Index i)
     {
       Vector3 detail = -cotangent.rowScale[i] * StiffnessRow(cotangent, V, i);
-      const double longest = LongestSquaredEdge(*cotangent.rings, V, i);
+      const double longest = LongestSquaredEdge(*uniform.rings, V, i);
       const double length = detail.squaredNorm();
       if (length > longest)
       {
@@ -85,9 +86,18 @@ std::shared_ptr<const AdjacencyLists> MeshAnalysis::OneRings() const
 
 void MeshAnalysis::ComputeCotangentParts()
 {
-  if (!this->EdgeWeights)
+  if (!this->EdgeWeights && this->IsRobust)
+  {
+    RobustWeights weights = ComputeRobustWeights(this->V, this->T);
+    this->WeightRings = std::move(weights.rings);
+    this->EdgeWeights = std::move(weights.edgeWeights);
+    this->VoronoiAreas = std::move(weights.voronoiAreas);
+    ++this->NumberOfParts;
+  }
+  else if (!this->EdgeWeights)
   {
     const CornerValues cotangents = Cotangents(this->V, this->T);
+    this->WeightRings = this->OneRings();
     this->EdgeWeights = CotangentEdgeWeights(*this->Topology, this->T, cotangents);
     this->VoronoiAreas = MixedVoronoiAreas(this->V, this->T, *this->Topology, cotangents);
     ++this->NumberOfParts;
@@ -106,8 +116,30 @@ void MeshAnalysis::ReleaseIntermediateParts(LaplacianType type)
   }
   if (type == LaplacianType::UNIFORM)
   {
-    this->EdgeWeights.reset();
-    this->VoronoiAreas.resize(0);
+    this->ForgetWeights();
+  }
+}
+
+void MeshAnalysis::ForgetWeights()
+{
+  this->WeightRings.reset();
+  this->EdgeWeights.reset();
+  this->VoronoiAreas.resize(0);
+}
+
+void MeshAnalysis::SetRobustLaplacian(bool isRobust)
+{
+  if (this->IsRobust != isRobust)
+  {
+    this->IsRobust = isRobust;
+    this->ForgetWeights();
+    this->Laplacians[static_cast<int>(LaplacianType::COTANGENT)].reset();
+    this->Laplacians[static_cast<int>(LaplacianType::MEAN_CURVATURE)].reset();
+    this->CurvatureNormals.reset();
+    this->Curvatures.reset();
+    this->Statistics.reset();
+    this->Cumulative.reset();
+    this->DetailTarget.reset();
   }
 }
 
@@ -139,8 +171,8 @@ const Laplacian& MeshAnalysis::GetLaplacian(LaplacianType type)
       }
       this->ComputeCotangentParts();
       return type == LaplacianType::COTANGENT
-               ? CotangentLaplacian(this->OneRings(), this->EdgeWeights)
-               : MeanCurvatureLaplacian(this->OneRings(), this->EdgeWeights, this->VoronoiAreas);
+               ? CotangentLaplacian(this->WeightRings, this->EdgeWeights)
+               : MeanCurvatureLaplacian(this->WeightRings, this->EdgeWeights, this->VoronoiAreas);
     });
 }
 

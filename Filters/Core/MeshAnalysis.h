@@ -50,6 +50,10 @@ public:
   /// At least one triangle, and no boundary.
   bool IsClosed() { return !this->Box.isEmpty() && !this->HasBoundary(); }
 
+  /// Whether L_c and L_ck have the weights of ComputeRobustWeights() instead of those of Eqn. 4.
+  /// What follows from the other ones is forgotten.
+  void SetRobustLaplacian(bool isRobust);
+
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
 
@@ -88,8 +92,10 @@ private:
 
   std::shared_ptr<const AdjacencyLists> OneRings() const;
 
-  /// Computes edge weights and Voronoi areas, which share the cotangents.
+  /// Computes edge weights, their rings and Voronoi areas, which share the cotangents.
   void ComputeCotangentParts();
+
+  void ForgetWeights();
 
   const Points V;
   const Triangles T;
@@ -97,6 +103,8 @@ private:
   const std::shared_ptr<const Subdomain> Domain;
   const Eigen::AlignedBox3d Box;
   int NumberOfParts = 1;
+  bool IsRobust = false;
+  std::shared_ptr<const AdjacencyLists> WeightRings; ///< to which EdgeWeights belong
   std::shared_ptr<const Vector> EdgeWeights;
   Vector VoronoiAreas;
   std::optional<bool> Boundary;

@@ -109,6 +109,7 @@ OptimizerResult Optimizer::RunInOrder(
 {
   monitor.Begin("Setting up the equations");
   MeshAnalysis& mesh = *this->Mesh;
+  mesh.SetRobustLaplacian(options.robustLaplacian);
   const Points& V = mesh.GetPoints();
   const std::optional<FeatureLines> boundary = SlidingBoundary(mesh, options.boundaryCondition);
   LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, boundary);

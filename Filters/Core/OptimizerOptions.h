@@ -57,6 +57,7 @@ struct OptimizerOptions
 {
   Mode mode = Mode::OPTIMIZE_TRIANGLES;
   LaplacianType laplacianType = LaplacianType::UNIFORM;
+  bool robustLaplacian = false;
   PositionWeighting positionWeighting = PositionWeighting::CDF;
   double scaleFactor = 1;
   LaplacianWeighting laplacianWeighting = LaplacianWeighting::CONSTANT;

@@ -11,8 +11,6 @@ namespace lmo
 {
 namespace
 {
-constexpr double MaximumCotangent = 1e6;
-
 /// Edges that leave a corner, in counter-clockwise order.
 struct CornerEdges
 {

@@ -11,6 +11,9 @@ namespace lmo
 {
 constexpr double Pi = 3.14159265358979323846;
 
+/// Cotangents beyond it are those of angles that round-off made.
+constexpr double MaximumCotangent = 1e6;
+
 /// Corners a, b and c, one per row.
 using TriangleCorners = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
@@ -29,7 +32,7 @@ Vector3 ClosestPointOnTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
 /// Cotangent of the angle at each corner (Fig. 4): positive below a right angle, negative above,
-/// at most 1e6 in magnitude; 0 at the corners of a triangle without area.
+/// at most MaximumCotangent in magnitude; 0 at the corners of a triangle without area.
 CornerValues Cotangents(const Points& V, const Triangles& triangles);
 
 /// A(v) of Eqn. 7: the mixed Voronoi area of each vertex (Meyer et al. 2003). The sum over all

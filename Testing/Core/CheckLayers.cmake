@@ -17,7 +17,9 @@ set(layers
   Features
   Subdomain
   Weights
+  IntrinsicTriangulation
   Laplacian
+  RobustLaplacian
   Quality
   Curvature
   MeshAnalysis

@@ -106,6 +106,7 @@ std::vector<std::pair<std::string, OptimizerOptions>> AllOptions()
     options.boundaryCondition = static_cast<BoundaryCondition>(boundary);
     // Half of the combinations each have the switches on.
     options.modulateByTriangleQuality = (mode + L + Wp + WL + boundary) % 2;
+    options.robustLaplacian = (mode + L + Wp) / 2 % 2;
     options.tangentPlaneConstraints = (mode + L + Wp + WL + boundary) / 2 % 2;
     all.emplace_back("mode " + std::to_string(mode) + ", L " + std::to_string(L) + ", W_p " +
                        std::to_string(Wp) + ", W_L " + std::to_string(WL) + ", boundary " +

@@ -22,13 +22,14 @@ namespace
 {
 using Optimizer = vtkLaplacianMeshOptimizer;
 
-/// One choice of all enumerations; the two switches are on in half of the choices each.
+/// One choice of all enumerations; each switch is on in half of the choices.
 struct Choice
 {
   int mode, laplacian, positionWeighting, laplacianWeighting, boundary, solver;
 
   bool Modulates() const { return (this->Sum() / 2) % 2; }
   bool HasTangentPlanes() const { return this->Sum() % 2; }
+  bool IsRobust() const { return (this->positionWeighting + this->solver) % 2; }
 
   std::string Name() const
   {
@@ -49,6 +50,7 @@ struct Choice
     filter->SetSolverType(this->solver);
     filter->SetModulateByTriangleQuality(this->Modulates());
     filter->SetTangentPlaneConstraints(this->HasTangentPlanes());
+    filter->SetRobustLaplacian(this->IsRobust());
   }
 
 private:
@@ -262,9 +264,14 @@ void CheckFilter(Checks& c, const std::string& name, const HostileInput& input,
 
 void CheckOtherFilters(Checks& c, const HostileInput& input)
 {
-  CheckFilter(c, "mesh Laplacian", input, vtkNew<vtkMeshLaplacian>(),
-    { "UniformLaplacian", "CotangentLaplacian", "MeanCurvatureNormal", "MeanCurvature",
-      "GaussianCurvature", "VoronoiArea" });
+  for (const int isRobust : { 0, 1 })
+  {
+    vtkNew<vtkMeshLaplacian> laplacian;
+    laplacian->SetRobustLaplacian(isRobust);
+    CheckFilter(c, isRobust ? "robust mesh Laplacian" : "mesh Laplacian", input, laplacian,
+      { "UniformLaplacian", "CotangentLaplacian", "MeanCurvatureNormal", "MeanCurvature",
+        "GaussianCurvature", "VoronoiArea" });
+  }
   CheckFilter(c, "radius ratio", input, vtkNew<vtkTriangleRadiusRatio>(), { "RadiusRatio" });
   vtkNew<vtkSurfaceDeviation> deviation;
   deviation->SetNumberOfSamples(100);

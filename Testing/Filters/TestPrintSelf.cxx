@@ -28,16 +28,17 @@ int TestPrintSelf(int, char*[])
 {
   Checks c;
   CheckNames(c, vtkNew<vtkLaplacianMeshOptimizer>(),
-    { "Mode", "LaplacianType", "PositionWeighting", "ScaleFactor", "LaplacianWeighting",
-      "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints", "TangentPlaneWeight",
-      "BoundaryCondition", "SelectionUse", "SolverType", "Tolerance", "MaximumNumberOfIterations",
-      "ComputeNormals", "MeanRadiusRatio", "MinimumRadiusRatio", "InputMeanRadiusRatio",
-      "InputMinimumRadiusRatio", "MaximumDisplacement", "RelativeMaximumDisplacement",
-      "RelativeVolumeChange", "FlippedTriangles", "Iterations", "RelativeResidual" });
+    { "Mode", "LaplacianType", "RobustLaplacian", "PositionWeighting", "ScaleFactor",
+      "LaplacianWeighting", "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints",
+      "TangentPlaneWeight", "BoundaryCondition", "SelectionUse", "SolverType", "Tolerance",
+      "MaximumNumberOfIterations", "ComputeNormals", "MeanRadiusRatio", "MinimumRadiusRatio",
+      "InputMeanRadiusRatio", "InputMinimumRadiusRatio", "MaximumDisplacement",
+      "RelativeMaximumDisplacement", "RelativeVolumeChange", "FlippedTriangles", "Iterations",
+      "RelativeResidual" });
   CheckNames(c, vtkNew<vtkSurfaceDeviation>(),
     { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
       "RelativeMeanDistance" });
   CheckNames(c, vtkNew<vtkTriangleRadiusRatio>(), { "MeanRadiusRatio", "MinimumRadiusRatio" });
-  CheckNames(c, vtkNew<vtkMeshLaplacian>(), { "Reference Count" });
+  CheckNames(c, vtkNew<vtkMeshLaplacian>(), { "RobustLaplacian" });
   return c.Result();
 }

@@ -22,6 +22,7 @@ ENUMERATIONS = {
 }
 
 NUMBERS = {
+    "RobustLaplacian": 1,
     "ScaleFactor": 0.25,
     "GaussianWidth": 0.75,
     "ModulateByTriangleQuality": 1,

@@ -76,6 +76,7 @@ class Properties(unittest.TestCase):
     DEFAULTS = {
         "Mode": 0,
         "LaplacianType": 0,
+        "RobustLaplacian": 0,
         "PositionWeighting": 2,
         "ScaleFactor": 1,
         "LaplacianWeighting": 0,
