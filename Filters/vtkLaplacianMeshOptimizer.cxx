@@ -104,10 +104,13 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   CheckEnumeration("BoundaryCondition", filter.BoundaryCondition, 3);
   CheckEnumeration("SelectionUse", filter.SelectionUse, 2);
   CheckEnumeration("SolverType", filter.SolverType, 3);
-  CheckNumber("ScaleFactor", filter.ScaleFactor, filter.ScaleFactor > 0, "more than 0");
+  CheckNumber("ScaleFactor", filter.ScaleFactor,
+    filter.ScaleFactor >= lmo::SmallestScaleFactor && filter.ScaleFactor <= lmo::LargestWeight,
+    "more than 0, from 1e-40 to 1e40");
   CheckNumber("GaussianWidth", filter.GaussianWidth, filter.GaussianWidth > 0, "more than 0");
-  CheckNumber(
-    "TangentPlaneWeight", filter.TangentPlaneWeight, filter.TangentPlaneWeight >= 0, "0 or more");
+  CheckNumber("TangentPlaneWeight", filter.TangentPlaneWeight,
+    filter.TangentPlaneWeight >= 0 && filter.TangentPlaneWeight <= lmo::LargestWeight,
+    "0 or more, up to 1e40");
   CheckNumber(
     "Tolerance", filter.Tolerance, filter.Tolerance > 0 && filter.Tolerance < 1, "between 0 and 1");
   CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,

@@ -121,9 +121,9 @@ public:
    */
   enum InputArrayIndex
   {
-    POSITION_WEIGHT_ARRAY = 0,      ///< 1 component, >= 0: ARRAY and ANCHORS of PositionWeighting
-    LAPLACIAN_WEIGHT_ARRAY = 1,     ///< 1 component, >= 0: ARRAY of LaplacianWeighting
-    PRESCRIBED_LAPLACIAN_ARRAY = 2, ///< 3 components: PRESCRIBED_LAPLACIANS
+    POSITION_WEIGHT_ARRAY = 0,      ///< 1 component, 0 to 1e40: PositionWeighting ARRAY, ANCHORS
+    LAPLACIAN_WEIGHT_ARRAY = 1,     ///< 1 component, 0 to 1e40: LaplacianWeighting ARRAY
+    PRESCRIBED_LAPLACIAN_ARRAY = 2, ///< 3 components, up to 1e70: PRESCRIBED_LAPLACIANS
     FIXED_POINT_ARRAY = 3 ///< 1 component, optional: points with a value other than 0 do not move
   };
 
@@ -179,7 +179,7 @@ public:
   /**
    * The factor s of PositionWeighting; no unit. A larger value keeps the points closer to where
    * they were: for smoothing 1 is a slight, 0.1 a medium and 0.01 a strong effect.
-   * Range: > 0. Default: 1.
+   * Range: > 0, from 1e-40 to 1e40. Default: 1.
    */
   vtkSetMacro(ScaleFactor, double);
   vtkGetMacro(ScaleFactor, double);
@@ -227,7 +227,7 @@ public:
 
   ///@{
   /**
-   * Weight of the rows of Eqn. 15; no unit. Range: >= 0. Default: 1.
+   * Weight of the rows of Eqn. 15; no unit. Range: 0 to 1e40. Default: 1.
    */
   vtkSetMacro(TangentPlaneWeight, double);
   vtkGetMacro(TangentPlaneWeight, double);

@@ -44,12 +44,7 @@ public:
   {
     if (!this->IsEmpty())
     {
-      vtkNew<vtkPolyData> triangles;
-      triangles->SetLines(this->EdgesOfFlatTriangles());
-      triangles->SetPoints(input->GetPoints());
-      triangles->SetPolys(
-        this->Mesh.triangleCells.cells.empty() ? input->GetPolys() : this->TriangleCells().Get());
-      this->Locator->SetDataSet(triangles);
+      this->Locator->SetDataSet(this->ForLocator(input->GetPoints()));
       this->Locator->BuildLocator();
     }
   }
@@ -102,32 +97,31 @@ public:
   }
 
 private:
-  vtkSmartPointer<vtkCellArray> TriangleCells() const
+  /// The triangles alone: strips of one or two points make vtkPolyData crash. The locator does not
+  /// find triangles without area; it does find their edges.
+  vtkSmartPointer<vtkPolyData> ForLocator(vtkPoints* points) const
   {
-    auto cells = vtkSmartPointer<vtkCellArray>::New();
-    for (const auto& T : this->Mesh.triangles.rowwise())
-    {
-      cells->InsertNextCell({ T[0], T[1], T[2] });
-    }
-    return cells;
-  }
-
-  /// The locator does not find triangles without area; it does find their edges.
-  vtkSmartPointer<vtkCellArray> EdgesOfFlatTriangles() const
-  {
-    auto edges = vtkSmartPointer<vtkCellArray>::New();
+    vtkNew<vtkCellArray> edges;
+    vtkNew<vtkCellArray> triangles;
     const lmo::Triangles& T = this->Mesh.triangles;
+    triangles->AllocateExact(T.rows(), T.size());
     for (lmo::Index t = 0; t < T.rows(); ++t)
     {
-      if (!lmo::IsCollapsed(T, t) && !(lmo::ScaledNormal(this->Mesh.points, T, t).norm() > 0))
+      if (lmo::ScaledNormal(this->Mesh.points, T, t).norm() > 0)
       {
-        for (int corner = 0; corner < 3; ++corner)
-        {
-          edges->InsertNextCell({ T(t, corner), T(t, (corner + 1) % 3) });
-        }
+        triangles->InsertNextCell({ T(t, 0), T(t, 1), T(t, 2) });
+        continue;
+      }
+      for (int corner = 0; corner < 3 && !lmo::IsCollapsed(T, t); ++corner)
+      {
+        edges->InsertNextCell({ T(t, corner), T(t, (corner + 1) % 3) });
       }
     }
-    return edges;
+    auto data = vtkSmartPointer<vtkPolyData>::New();
+    data->SetPoints(points);
+    data->SetLines(edges);
+    data->SetPolys(triangles);
+    return data;
   }
 
   lmo::SurfaceMesh Mesh;

@@ -78,8 +78,8 @@ struct OptimizerOptions
 /// Values that the user may give for each vertex.
 struct VertexArrays
 {
-  std::optional<Vector> positionWeights;      ///< W_p or anchors, >= 0
-  std::optional<Vector> laplacianWeights;     ///< W_L, >= 0
+  std::optional<Vector> positionWeights;      ///< W_p or anchors, from 0 to LargestWeight
+  std::optional<Vector> laplacianWeights;     ///< W_L, from 0 to LargestWeight
   std::optional<Points> prescribedLaplacians; ///< f
   std::optional<Vector> fixedPoints;          ///< not 0: does not move
 };

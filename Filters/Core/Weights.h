@@ -7,6 +7,11 @@
 
 namespace lmo
 {
+/// Weights are squared, multiplied by lengths and squared again: beyond these bounds numbers in
+/// double precision overflow or vanish.
+constexpr double LargestWeight = 1e40;
+constexpr double SmallestScaleFactor = 1e-40;
+
 /// Distribution of the mean curvature over the vertices that a triangle uses.
 struct CurvatureStatistics
 {

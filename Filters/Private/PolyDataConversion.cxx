@@ -4,6 +4,7 @@
 
 #include "../Core/Exceptions.h"
 #include "../Core/Parallel.h"
+#include "../Core/Weights.h"
 #include "CellTriangulation.h"
 
 #include "vtkArrayDispatch.h"
@@ -132,7 +133,7 @@ void CheckOffsets(vtkCellArray* cells, const char* what)
 
 std::string NameOf(vtkDataArray* array)
 {
-  return "The point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+  return "the point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
 }
 
 template <typename Rows>
@@ -143,9 +144,9 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
       array->GetNumberOfComponents() != Rows::ColsAtCompileTime)
   {
     std::ostringstream text;
-    text << name << " has " << array->GetNumberOfTuples() << " tuples of "
-         << array->GetNumberOfComponents() << " components; " << points << " tuples of "
-         << Rows::ColsAtCompileTime << " are needed. Choose another array.";
+    text << "The size of " << name << " is wrong: it has " << array->GetNumberOfTuples()
+         << " tuples of " << array->GetNumberOfComponents() << " components; " << points
+         << " tuples of " << Rows::ColsAtCompileTime << " are needed. Choose another array.";
     throw InputError(text.str());
   }
   const Rows rows = ReadTuples<Rows>(array);
@@ -308,14 +309,19 @@ Vector ReadWeights(vtkDataArray* array, vtkIdType points)
 {
   Vector weights = ReadScalars(array, points);
   const Faults negative = FindFaults(weights, [](const auto& row) { return row[0] >= 0; });
-  negative.ThrowIfAny(
-    ("weights in the point array '" + std::string(array->GetName()) + "' are negative").c_str(),
-    "point", "Weights must be 0 or more.");
+  negative.ThrowIfAny(("weights in " + NameOf(array) + " are negative").c_str(), "point",
+    "Weights must be 0 or more.");
+  FindFaults(weights, [](const auto& row) { return row[0] <= LargestWeight; })
+    .ThrowIfAny(
+      ("weights in " + NameOf(array) + " are above 1e40").c_str(), "point", "Scale the weights.");
   return weights;
 }
 
 Points ReadVectors(vtkDataArray* array, vtkIdType points)
 {
-  return ReadArray<Points>(array, points);
+  Points vectors = ReadArray<Points>(array, points);
+  FindHuge(vectors).ThrowIfAny(
+    ("vectors of " + NameOf(array) + " are longer than 1e70").c_str(), "point", "Scale them.");
+  return vectors;
 }
 }

@@ -252,6 +252,12 @@ void AddSparseInputs(Collection& c)
   lines->AllocateExact(0, 0, 1, 4, 0, 0, 0, 0);
   lines->GetLines()->InsertNextCell({ 0, 1, 2, 3 });
   c.AddGood("lines only", lines);
+  Data strips = MakePolyData(Sheet());
+  vtkNew<vtkCellArray> shortStrips;
+  shortStrips->InsertNextCell({ 0 });
+  shortStrips->InsertNextCell({ 1, 2 });
+  strips->SetStrips(shortStrips);
+  c.AddGood("strips of one and two points", strips);
 }
 
 void AddCoordinates(Collection& c)

@@ -3,7 +3,7 @@
 #include "Checks.h"
 #include "FilterTesting.h"
 #include "HostileInputs.h"
-#include "TestMeasures.h"
+#include "ResultChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -97,54 +97,6 @@ void ChooseArrays(Optimizer* filter)
   choose(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, "Vectors");
 }
 
-bool IsWithin(const Eigen::MatrixXd& values, double least, double most)
-{
-  return ((values.array() >= least) && (values.array() <= most)).all();
-}
-
-bool HoldsAll(const std::string& message, const std::vector<std::string>& texts)
-{
-  return std::all_of(texts.begin(), texts.end(),
-    [&](const std::string& text) { return message.find(text) != std::string::npos; });
-}
-
-/// Empty if the result is finite and consistent, else what is wrong with it.
-std::string FaultOf(Optimizer* filter, const Messages& messages)
-{
-  vtkPolyData* input = vtkPolyData::SafeDownCast(filter->GetInput());
-  vtkPolyData* output = filter->GetOutput();
-  const Points before = PointsOf(input);
-  const Points after = PointsOf(output);
-  if (!messages.errors.empty())
-  {
-    return messages.errors;
-  }
-  if (after.rows() != before.rows() || output->GetNumberOfCells() != input->GetNumberOfCells())
-  {
-    return "points or cells are missing";
-  }
-  if (!after.allFinite() || !PointValues(output, "MeanCurvature").allFinite())
-  {
-    return "values are not finite";
-  }
-  const double most = std::max(1.0, filter->GetScaleFactor());
-  if (!IsWithin(PointValues(output, "PositionWeight"), 0, most) ||
-      !IsWithin(PointValues(output, "LaplacianWeight"), 0, 1) ||
-      !IsWithin(PointValues(output, "RadiusRatio"), -1, 1) ||
-      !IsWithin(CellValues(output, "RadiusRatio"), -1, 1))
-  {
-    return "weights or radius ratios are out of range";
-  }
-  const double displacement = MaximumDistance(after, before);
-  if (std::abs(displacement - filter->GetMaximumDisplacement()) > 1e-12 * displacement ||
-      !std::isfinite(filter->GetRelativeVolumeChange()))
-  {
-    return "the figures do not fit the points";
-  }
-  const bool isSolved = filter->GetRelativeResidual() <= filter->GetTolerance();
-  return isSolved == messages.warnings.empty() ? "" : "warning: '" + messages.warnings + "'";
-}
-
 /// True if the direct solver refuses weights or vertices that it is not made for.
 bool IsDirectRefusal(const Choice& choice, const std::string& errors)
 {
@@ -162,22 +114,7 @@ std::string FaultOfChoice(Optimizer* filter, const Choice& choice)
     filter->SetSolverType(Optimizer::ITERATIVE);
     messages = Update(filter);
   }
-  return FaultOf(filter, messages);
-}
-
-/// Empty if the filter refuses its input with all of \a texts.
-std::string FaultOfRefusal(
-  vtkPolyDataAlgorithm* filter, const Messages& messages, const std::vector<std::string>& texts)
-{
-  if (messages.errors.empty())
-  {
-    return "there is no error";
-  }
-  if (!HoldsAll(messages.errors, texts))
-  {
-    return messages.errors;
-  }
-  return IsEmpty(filter->GetOutput()) ? "" : "the output is not empty";
+  return FaultOfResult(filter, messages);
 }
 
 /// Remembers the first of many faults.
@@ -199,13 +136,6 @@ void Check(Checks& c, const std::string& property, const FirstFault& fault)
 {
   const std::string count = std::to_string(fault.count) + " faults, the first with ";
   c.True(fault.count > 0 ? property + "; " + count + fault.text : property, fault.count == 0);
-}
-
-vtkSmartPointer<vtkPolyData> CopyOf(vtkPolyData* data)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->DeepCopy(data);
-  return copy;
 }
 
 /// \param scaleFactor s
@@ -243,22 +173,9 @@ void CheckFilter(Checks& c, const std::string& name, const HostileInput& input,
   const auto copy = CopyOf(input.data);
   filter->SetInputData(input.data);
   const Messages messages = Update(filter);
-  FirstFault fault;
-  if (!input.errors.empty())
-  {
-    fault.Add(name, FaultOfRefusal(filter, messages, input.errors));
-  }
-  else
-  {
-    fault.Add(name, messages.errors);
-    for (const char* array : arrays)
-    {
-      const Eigen::MatrixXd values = PointValues(filter->GetOutput(), array);
-      const bool isComplete = values.rows() == input.data->GetNumberOfPoints();
-      fault.Add(array, isComplete && values.allFinite() ? "" : "is missing or not finite");
-    }
-  }
-  Check(c, name + ": " + input.name, fault);
+  const std::string fault = input.errors.empty() ? FaultOfResult(filter, messages, arrays)
+                                                 : FaultOfRefusal(filter, messages, input.errors);
+  c.True(name + ": " + input.name + (fault.empty() ? "" : ": " + fault), fault.empty());
   c.True(name + ", the input is as it was: " + input.name, AreEqual(input.data, copy));
 }
 

@@ -171,6 +171,9 @@ void CheckArray(Checks& c, const std::string& name, int index, int components, b
   {
     CheckRefusal(c, name + " below 0", ChooseArray(index, values, choose),
       { "2 weights", "'Array'", "negative", "point 3", "0 or more" });
+    values(3, 0) = values(8, 0) = 1e300;
+    CheckRefusal(c, name + " that overflow", ChooseArray(index, values, choose),
+      { "2 weights", "'Array'", "above 1e40", "point 3", "Scale" });
   }
   CheckRefusal(c, name + " that do not exist",
     [&](Optimizer* filter, vtkPolyData*)
@@ -232,9 +235,11 @@ void CheckParameters(Checks& c)
   CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
   CheckValues(c, "SelectionUse", &Optimizer::SetSelectionUse, enumeration);
   CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
-  CheckValues(c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, NaN, Infinity });
+  CheckValues(
+    c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, 1e-300, 1e300, NaN, Infinity });
   CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });
-  CheckValues(c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, NaN, Infinity });
+  CheckValues(
+    c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, 1e300, NaN, Infinity });
   CheckValues(c, "Tolerance", &Optimizer::SetTolerance, { 0.0, 1.0, -1.0, NaN, Infinity });
   CheckValues(c, "MaximumNumberOfIterations", &Optimizer::SetMaximumNumberOfIterations, { 0, -1 });
 }

@@ -63,7 +63,7 @@ PROPERTIES = {
         *RESULTS,
         "ReadResults",
     ],
-    "MeshLaplacian": ["Input"],
+    "MeshLaplacian": ["Input", "RobustLaplacian"],
     "TriangleRadiusRatio": ["Input"],
     "SurfaceDeviation": ["Input", "Reference", "NumberOfSamples"],
 }
