@@ -228,6 +228,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   monitor->Begin("Reading the mesh");
   this->Engine->SetInput(input);
   lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
+  lmo::CheckRange(result.positions);
   if (!(result.relativeResidual <= options.solver.tolerance))
   {
     vtkWarningWithObjectMacro(this->Filter,

@@ -210,7 +210,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   {
     ImproveDirectly(problem, monitor, solution);
   }
-  else if (!IsFinished(solution, options))
+  if (!IsFinished(solution, options))
   {
     IterateInDouble(problem, options, monitor, solution);
   }

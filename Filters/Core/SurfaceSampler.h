@@ -19,7 +19,7 @@ public:
   /// \param count of all samples; the area must be positive
   Vector3 Sample(Index k, Index count) const;
 
-  double Area() const { return this->AreaUpTo.size() ? this->AreaUpTo.back() : 0; }
+  double Area() const { return this->AreaUpTo.empty() ? 0 : this->AreaUpTo.back(); }
 
 private:
   const Points& V;

@@ -149,7 +149,7 @@ Rows ReadArray(vtkDataArray* array, vtkIdType points)
          << " tuples of " << Rows::ColsAtCompileTime << " are needed. Choose another array.";
     throw InputError(text.str());
   }
-  const Rows rows = ReadTuples<Rows>(array);
+  Rows rows = ReadTuples<Rows>(array);
   FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), "point",
     "Replace them, for example with vtkArrayCalculator.");
   return rows;
@@ -298,6 +298,12 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
 
   ReadCells(input, mesh);
   return mesh;
+}
+
+void CheckRange(const Points& positions)
+{
+  FindNotFinite(positions).ThrowIfAny("points would leave the range of their coordinates", "point",
+    "Scale the mesh and the prescribed Laplacians, or convert the points to double.");
 }
 
 Vector ReadScalars(vtkDataArray* array, vtkIdType points)

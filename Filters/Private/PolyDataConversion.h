@@ -39,6 +39,9 @@ struct SurfaceMesh
 /// and point ids out of range.
 SurfaceMesh ReadMesh(vtkPolyData* input);
 
+/// \throw InputError if new coordinates are beyond the range of their type.
+void CheckRange(const Points& positions);
+
 /// \throw InputError if the array has not one value per point, or one that is not finite.
 Vector ReadScalars(vtkDataArray* array, vtkIdType points);
 

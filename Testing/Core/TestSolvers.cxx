@@ -4,6 +4,7 @@
 #include "TestMeasures.h"
 #include "TestOperators.h"
 
+#include "Core/ProblemSetup.h"
 #include "Core/ThreadTeam.h"
 
 #include "vtkSMPTools.h"
@@ -152,6 +153,55 @@ void CheckSingularSystem(Checks& c)
     Run(mesh, Iterative(options, 1e-10), arrays).positions.allFinite());
 }
 
+/// The energy that the options give the positions.
+double EnergyOf(const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
+  const Points& V)
+{
+  MeshAnalysis analysis(mesh.V, mesh.T);
+  const LeastSquaresProblem problem = SetUpProblem(analysis, options, arrays, {});
+  return Energy(problem, V - mesh.V);
+}
+
+/// A triangle held by weights whose squares vanish beside those of the Laplacians.
+void CheckNearlySingularSystem(Checks& c)
+{
+  const TestMesh mesh = EquilateralTriangle();
+  VertexArrays arrays;
+  arrays.prescribedLaplacians = Random().Displacements(3);
+  OptimizerOptions options = Options(Mode::PRESCRIBED_LAPLACIANS, LaplacianType::COTANGENT);
+  options.boundaryCondition = BoundaryCondition::FREE;
+  options.positionWeighting = PositionWeighting::CONSTANT;
+  options.scaleFactor = 1e-12;
+  const double before = EnergyOf(mesh, options, arrays, mesh.V);
+  c.Throws<SolverError>("a direct solution that is worse than the input is an error",
+    [&] { Run(mesh, options, arrays); });
+  for (const SolverType solver : { SolverType::AUTOMATIC, SolverType::ITERATIVE })
+  {
+    options.solverType = solver;
+    c.True("the other solvers find a better one",
+      EnergyOf(mesh, options, arrays, Run(mesh, options, arrays).positions) < before);
+  }
+}
+
+/// One hub of a fan: its row squared has more entries than memory.
+void CheckDenseSystem(Checks& c)
+{
+  const Index valence = 5000;
+  TestMesh fan{ Points::Zero(valence + 1, 3), Triangles(valence, 3) };
+  for (Index k = 0; k < valence; ++k)
+  {
+    const double angle = 2 * std::acos(-1.0) * k / valence;
+    fan.V.row(k) << std::cos(angle), std::sin(angle), 0.1 * std::sin(5 * angle);
+    fan.T.row(k) << k, (k + 1) % valence, valence;
+  }
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  options.boundaryCondition = BoundaryCondition::FREE;
+  c.Throws<SolverError>(
+    "a vertex of valence 5000 is an error of the direct solver", [&] { Run(fan, options); });
+  c.Error(
+    "the iterative solver solves it", Run(fan, Iterative(options, 1e-6)).relativeResidual, 1e-6);
+}
+
 Points SolveOnThreads(
   const TestMesh& mesh, const OptimizerOptions& options, const char* backend, int threads)
 {
@@ -208,6 +258,8 @@ int TestSolvers(int, char*[])
   CheckResiduals(c);
   CheckMonitor(c);
   CheckSingularSystem(c);
+  CheckNearlySingularSystem(c);
+  CheckDenseSystem(c);
   CheckThreads(c);
   CheckHardSystem(c);
   return c.Result();

@@ -128,6 +128,20 @@ void CheckHugeCoordinates(Checks& c)
   }
 }
 
+void CheckOverflow(Checks& c)
+{
+  CheckRefusal(c, "a result beyond the range of float",
+    [](Optimizer* filter, vtkPolyData* input)
+    {
+      input->DeepCopy(MakePolyData(Icosphere(1), VTK_FLOAT));
+      AddPointArray(input, "Array", Eigen::MatrixXd::Random(42, 3) * 1e45);
+      filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS);
+      filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0,
+        vtkDataObject::FIELD_ASSOCIATION_POINTS, "Array");
+    },
+    { "42 points", "range", "point 0", "double" });
+}
+
 /// The normals are written, not only read.
 void CheckNormals(Checks& c)
 {
@@ -253,6 +267,7 @@ int TestOptimizerErrors(int, char*[])
   CheckArrays(c);
   CheckParameters(c);
   CheckHugeCoordinates(c);
+  CheckOverflow(c);
   CheckNormals(c);
   return c.Result();
 }

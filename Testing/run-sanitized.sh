@@ -1,0 +1,21 @@
+#!/usr/bin/env bash
+# Runs the C++ tests with clang's sanitizers, against VTK alone: bash Testing/run-sanitized.sh [PRESET]
+#   address  address and undefined-behaviour sanitizer (the default)
+#   thread   thread sanitizer
+# Further arguments go to ctest.
+set -euo pipefail
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+preset=${1:-address}
+shift || true
+
+. "$source_dir/CMake/install-packages.sh"
+install_packages "${build_packages[@]}" "${analysis_packages[@]}" libtbb-dev
+unpack_vtk "$source_dir/build-vtk/vtk"
+export LSAN_OPTIONS="suppressions=$source_dir/Testing/Sanitizers/leaks.txt:print_suppressions=0"
+export TSAN_OPTIONS="suppressions=$source_dir/Testing/Sanitizers/threads.txt"
+export UBSAN_OPTIONS=print_stacktrace=1
+
+cd "$source_dir"
+cmake --preset "$preset" -DPython3_EXECUTABLE=/usr/bin/python3 -DVTK_DIR="$VTK_DIR" >/dev/null
+cmake --build --preset "$preset" -j2
+ctest --preset "$preset" "$@"
