@@ -279,7 +279,8 @@ public:
 
   ///@{
   /**
-   * DIRECT (1): factorise the normal equations. ITERATIVE (2): conjugate gradients without forming
+   * DIRECT (1): factorise the normal equations; an error if they are singular or if points have
+   * thousands of neighbours. ITERATIVE (2): conjugate gradients without forming
    * them; with strong smoothing or very thin triangles they switch to a multigrid preconditioner or
    * to a factorisation of a smaller matrix. AUTOMATIC (0): iterative, and direct if that does not
    * reach the tolerance. Default: AUTOMATIC.

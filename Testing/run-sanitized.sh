@@ -11,8 +11,6 @@ shift || true
 . "$source_dir/CMake/install-packages.sh"
 install_packages "${build_packages[@]}" "${analysis_packages[@]}" libtbb-dev
 unpack_vtk "$source_dir/build-vtk/vtk"
-export LSAN_OPTIONS="suppressions=$source_dir/Testing/Sanitizers/leaks.txt:print_suppressions=0"
-export TSAN_OPTIONS="suppressions=$source_dir/Testing/Sanitizers/threads.txt"
 export UBSAN_OPTIONS=print_stacktrace=1
 
 cd "$source_dir"

@@ -80,6 +80,7 @@ SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
 {
   const Index size = problem.Size();
   std::vector<Eigen::Triplet<double, Index>> entries;
+  entries.reserve(size + 9 * problem.lineRows.size());
   for (Index i = 0; i < size; ++i)
   {
     entries.emplace_back(i, i, problem.positionWeights[i] * problem.positionWeights[i]);

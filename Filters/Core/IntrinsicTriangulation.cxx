@@ -3,7 +3,6 @@
 #include "IntrinsicTriangulation.h"
 
 #include "MeshTopology.h"
-#include "Parallel.h"
 #include "TriangleGeometry.h"
 
 #include <Eigen/Geometry>

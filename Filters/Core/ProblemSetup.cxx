@@ -15,8 +15,14 @@ namespace
 /// The array that the user has to give.
 /// \throw InputError if it is missing.
 template <typename Values>
-const Values& Require(const std::optional<Values>& array, const char* what)
+const Values& Require(
+  const MeshAnalysis& mesh, const std::optional<Values>& array, const char* what)
 {
+  static const Values none;
+  if (!array && mesh.GetPoints().rows() == 0)
+  {
+    return none; // an empty piece has no arrays
+  }
   if (!array)
   {
     throw InputError(
@@ -38,9 +44,9 @@ Vector SchemePositionWeights(
     case PositionWeighting::CDF:
       return s * mesh.GetCumulativeWeights();
     case PositionWeighting::ANCHORS:
-      return s * AnchorWeights(Require(arrays.positionWeights, needed));
+      return s * AnchorWeights(Require(mesh, arrays.positionWeights, needed));
     case PositionWeighting::ARRAY:
-      return Require(arrays.positionWeights, needed);
+      return Require(mesh, arrays.positionWeights, needed);
     default:
       return Vector::Constant(mesh.GetTopology().vertices, s);
   }
@@ -124,7 +130,7 @@ std::shared_ptr<const Points> ChooseTarget(MeshAnalysis& mesh, const Laplacian& 
   Points target = -Apply(L, mesh.GetPoints());
   if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
   {
-    target += Require(arrays.prescribedLaplacians,
+    target += Require(mesh, arrays.prescribedLaplacians,
       "The mode needs a point array of prescribed Laplacians with 3 components");
   }
   return std::make_shared<const Points>(std::move(target));
@@ -180,7 +186,7 @@ Vector LaplacianWeights(
       return GaussianWeights(
         mesh.GetMeanCurvatures(), options.gaussianWidth * mesh.GetStatistics().threshold);
     case LaplacianWeighting::ARRAY:
-      return Require(arrays.laplacianWeights, "The Laplacian weighting needs a point array");
+      return Require(mesh, arrays.laplacianWeights, "The Laplacian weighting needs a point array");
     default:
       return Vector::Ones(mesh.GetTopology().vertices);
   }

@@ -294,17 +294,20 @@ void AddDegenerateTriangles(Collection& c)
 void AddCells(Collection& c)
 {
   const auto last = "cell " + std::to_string(Sheet().T.rows());
-  const char* const triangulate = "vtkTriangleFilter";
   c.AddGood("a point twice in a cell", WithTriangle(Sheet(), 0, 0, 1));
   c.AddGood("a point three times in a cell", WithTriangle(Sheet(), 2, 2, 2));
-  c.AddBad("a negative id", WithPolygon({ 0, -1, 2 }), { "1 triangle", last, "Repair" });
-  c.AddBad("an id out of range", WithPolygon({ 0, 1, 1000000 }), { "1 triangle", last, "Repair" });
   c.AddBad(
-    "an id of 2^32", WithPolygon({ 0, 1, vtkIdType(1) << 32 }), { "1 triangle", last, "Repair" });
+    "a negative id", WithPolygon({ 0, -1, 2 }), { "1 cell", "does not exist", last, "Repair" });
+  c.AddBad("an id out of range", WithPolygon({ 0, 1, 1000000 }),
+    { "1 cell", "does not exist", last, "Repair" });
+  c.AddBad("an id of 2^32", WithPolygon({ 0, 1, vtkIdType(1) << 32 }),
+    { "1 cell", "does not exist", last, "Repair" });
   c.AddBad("broken offsets", WithBrokenOffsets(), { "polygons", "offsets", "Repair" });
-  c.AddBad("a quad", WithPolygon({ 0, 1, 2, 3 }), { "1 polygon", last, triangulate });
-  c.AddBad("a concave polygon", WithPolygon({ 0, 1, 2, 3, 4 }), { "1 polygon", last, triangulate });
-  c.AddBad("a polygon without points", WithPolygon({}), { "1 polygon", last, triangulate });
+  c.AddGood("a quad", WithPolygon({ 0, 1, 2, 3 }));
+  c.AddGood("a concave polygon that crosses itself", WithPolygon({ 0, 3, 1, 4, 2 }));
+  c.AddGood("a polygon of one point", WithPolygon({ 7, 7, 7, 7, 7 }));
+  c.AddBad("a polygon of two points", WithPolygon({ 0, 1 }), { "1 polygon", last, "Remove" });
+  c.AddBad("a polygon without points", WithPolygon({}), { "1 polygon", last, "Remove" });
   c.AddGood("64-bit ids", WithWideIds(true));
   c.AddGood("32-bit ids", WithWideIds(false));
   c.AddGood("ghost cells", WithCellFlags(vtkDataSetAttributes::DUPLICATECELL));
