@@ -117,7 +117,12 @@ vtk_module_export_find_packages(
 set(lmo_python_dir "")
 if (LMO_WRAP_PYTHON)
   if (NOT DEFINED LMO_PYTHON_DESTINATION)
-    vtk_module_python_default_destination(LMO_PYTHON_DESTINATION)
+    if (EXISTS /etc/debian_version)
+      # Where Debian's python3 looks below /usr.
+      set(LMO_PYTHON_DESTINATION "lib/python3/dist-packages")
+    else ()
+      vtk_module_python_default_destination(LMO_PYTHON_DESTINATION)
+    endif ()
   endif ()
   set(lmo_python_dir "${LMO_PYTHON_DESTINATION}")
   vtk_module_wrap_python(
@@ -189,6 +194,9 @@ install(
     "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
     "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
   DESTINATION "${lmo_cmake_destination}")
+
+install(FILES LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+include(LaplacianMeshPackage)
 
 # --- Tests that need the whole build -------------------------------------------------------------
 if (BUILD_TESTING)

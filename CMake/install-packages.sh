@@ -55,5 +55,5 @@ unpack_vtk() {
 build_packages=(g++ cmake ninja-build libeigen3-dev libmetis-dev paraview-dev python3-paraview
   python3-dev python3-numpy libopenmpi-dev libdouble-conversion-dev)
 display_packages=(xvfb xauth libgl1-mesa-dri)
-test_packages=(paraview mpi-default-bin imagemagick)
+test_packages=(paraview mpi-default-bin imagemagick dpkg-dev file)
 analysis_packages=(clang clang-format clang-tidy libclang-rt-dev)

@@ -1,4 +1,5 @@
-# Installs the build into a prefix, then configures, builds and runs a program against it.
+# Installs the build into a prefix, or unpacks its Debian package, then configures, builds and runs
+# a program against it.
 function (run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
   message("${output}")
@@ -7,10 +8,17 @@ function (run)
   endif ()
 endfunction ()
 
-set(prefix "${WORK_DIR}/prefix")
 set(consumer "${WORK_DIR}/consumer")
-file(REMOVE_RECURSE "${prefix}" "${consumer}")
-run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+file(REMOVE_RECURSE "${WORK_DIR}")
+if (CPACK)
+  set(prefix "${WORK_DIR}/root/usr")
+  run("${CPACK}" --config "${BUILD_DIR}/CPackConfig.cmake" -G DEB -B "${WORK_DIR}/package")
+  file(GLOB package "${WORK_DIR}/package/*.deb")
+  run(dpkg-deb --extract "${package}" "${WORK_DIR}/root")
+else ()
+  set(prefix "${WORK_DIR}/prefix")
+  run("${CMAKE_COMMAND}" --install "${BUILD_DIR}" --prefix "${prefix}")
+endif ()
 run("${CMAKE_COMMAND}" -S "${SOURCE_DIR}" -B "${consumer}" -G "${GENERATOR}"
   "-DCMAKE_CXX_COMPILER=${CXX_COMPILER}"
   "-DLaplacianMesh_DIR=${prefix}/${PACKAGE_DIR}"
