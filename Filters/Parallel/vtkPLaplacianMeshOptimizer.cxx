@@ -7,6 +7,7 @@
 #include "DistributedOptimizer.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkGenerateGlobalIds.h"
 #include "vtkMPI.h"
@@ -209,6 +210,21 @@ vtkPLaplacianMeshOptimizer::~vtkPLaplacianMeshOptimizer()
 std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkPLaplacianMeshOptimizer::MakeEngine()
 {
   return std::make_unique<DistributedEngine>(this);
+}
+
+int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // Later, processes without blocks would not take part in what the others do together.
+  const bool isComposite = vtkCompositeDataSet::GetData(inputVector[0]) != nullptr;
+  if (isComposite && CommunicatorOf(this->Controller) != MPI_COMM_NULL)
+  {
+    vtkErrorMacro("The input is a composite data set, whose blocks cannot be optimized in several "
+                  "processes. Extract a block and apply vtkMergeBlocks first (Extract Block and "
+                  "Merge Blocks in ParaView).");
+    return 0;
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkPLaplacianMeshOptimizer::RequestData(

@@ -8,6 +8,7 @@
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -87,6 +88,21 @@ void CheckGlobalIds(MpiJob& job, Checks& c)
   c.Error("equal global ids at different places are an error", job.Largest(!isRefused), 0);
 }
 
+/// The first process has more blocks than the others.
+void CheckBlocks(MpiJob& job, Checks& c)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetNumberOfBlocks(2);
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    blocks->SetBlock(k, job.Rank() == 0 ? MakePolyData(Icosphere(1)).Get() : nullptr);
+  }
+  vtkNew<Optimizer> filter;
+  filter->SetInputDataObject(blocks);
+  const bool isRefused = Update(filter).errors.find("composite") != std::string::npos;
+  c.Error("blocks are an error in every process", job.Largest(!isRefused), 0);
+}
+
 void CheckCancellation(MpiJob& job, Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(3), 0.02);
@@ -140,6 +156,7 @@ int TestDistributedErrors(int argc, char* argv[])
   if (job.Size() > 1)
   {
     CheckGlobalIds(job, c);
+    CheckBlocks(job, c);
   }
   CheckMemory(job, c);
   return c.Result();
