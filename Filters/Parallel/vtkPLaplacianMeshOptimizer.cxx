@@ -9,7 +9,10 @@
 #include "vtkCellData.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkGenerateGlobalIds.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMPI.h"
 #include "vtkMPICommunicator.h"
 #include "vtkMultiProcessController.h"
@@ -215,9 +218,15 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkPLaplacianMeshOptimizer::M
 int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Later, processes without blocks would not take part in what the others do together.
-  const bool isComposite = vtkCompositeDataSet::GetData(inputVector[0]) != nullptr;
-  if (isComposite && CommunicatorOf(this->Controller) != MPI_COMM_NULL)
+  // The pipeline then executes block by block, in processes that have blocks only: the others would
+  // not take part in what all do together. It asks for the extents of blocks without this key.
+  const bool isForAll = request->Has(vtkExecutive::ALGORITHM_BEFORE_FORWARD());
+  if (isForAll)
+  {
+    this->HasBlocks = vtkCompositeDataSet::GetData(inputVector[0]) != nullptr &&
+                      CommunicatorOf(this->Controller) != MPI_COMM_NULL;
+  }
+  if (isForAll && this->HasBlocks)
   {
     vtkErrorMacro("The input is a composite data set, whose blocks cannot be optimized in several "
                   "processes. Extract a block and apply vtkMergeBlocks first (Extract Block and "
@@ -230,6 +239,10 @@ int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(
 int vtkPLaplacianMeshOptimizer::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->HasBlocks)
+  {
+    return 0;
+  }
   int result = 0;
   const auto run = [&]
   { result = this->Superclass::RequestData(request, inputVector, outputVector); };

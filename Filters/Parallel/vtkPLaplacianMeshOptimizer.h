@@ -70,6 +70,8 @@ private:
   void operator=(const vtkPLaplacianMeshOptimizer&) = delete;
 
   class DistributedEngine;
+
+  bool HasBlocks = false; ///< the input is composite, which was reported as an error
 };
 
 #ifdef VTK_ABI_NAMESPACE_END
