@@ -40,6 +40,11 @@ void CheckOptions(const OptimizerOptions& options)
     throw InputError("This mode works in one process only. Choose OPTIMIZE_TRIANGLES, SMOOTH or "
                      "PRESCRIBED_LAPLACIANS, or run in one process.");
   }
+  if (options.robustLaplacian)
+  {
+    throw InputError("RobustLaplacian works in one process only, since its flips of edges may lead "
+                     "through several. Switch it off, or run in one process.");
+  }
 }
 }
 
