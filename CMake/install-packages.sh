@@ -57,3 +57,6 @@ build_packages=(g++ cmake ninja-build libeigen3-dev libmetis-dev paraview-dev py
 display_packages=(xvfb xauth libgl1-mesa-dri)
 test_packages=(paraview mpi-default-bin imagemagick dpkg-dev file)
 analysis_packages=(clang clang-format clang-tidy libclang-rt-dev)
+
+# For surfaces over several processes; without them, the plugin works in one.
+parallel_packages=(libpetsc-real-dev pkg-config)

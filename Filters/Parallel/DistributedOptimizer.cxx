@@ -45,6 +45,11 @@ void CheckOptions(const OptimizerOptions& options)
     throw InputError("FeatureConstraints and PreserveVolume work in one process only. Switch them "
                      "off, or run in one process.");
   }
+  if (options.robustLaplacian)
+  {
+    throw InputError("RobustLaplacian works in one process only, since its flips of edges may lead "
+                     "through several. Switch it off, or run in one process.");
+  }
 }
 }
 

@@ -41,11 +41,18 @@ void Check(PetscErrorCode code)
   }
 }
 
-PetscSession::PetscSession(MPI_Comm comm)
+bool IsPetscReady()
 {
   PetscBool isInitialized = PETSC_FALSE;
-  Check(PetscInitialized(&isInitialized));
-  if (!isInitialized)
+  PetscBool isFinalized = PETSC_FALSE;
+  PetscInitialized(&isInitialized);
+  PetscFinalized(&isFinalized);
+  return isInitialized && !isFinalized;
+}
+
+PetscSession::PetscSession(MPI_Comm comm)
+{
+  if (!IsPetscReady())
   {
     InitializePetsc(comm);
   }

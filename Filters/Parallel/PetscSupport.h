@@ -26,7 +26,10 @@ public:
   void operator=(const PetscSession&) = delete;
 };
 
-/// Owns a PETSc object.
+/// False before PETSc is ready and after it is finalized.
+bool IsPetscReady();
+
+/// Owns a PETSc object; leaves it alone if PETSc is finalized before.
 template <typename Object, PetscErrorCode (*Destroy)(Object*)>
 class PetscHandle
 {
@@ -40,7 +43,7 @@ public:
   }
   ~PetscHandle()
   {
-    if (this->Held)
+    if (this->Held && IsPetscReady())
     {
       Destroy(&this->Held);
     }

@@ -7,8 +7,12 @@
 #include "DistributedOptimizer.h"
 
 #include "vtkCellData.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
+#include "vtkExecutive.h"
 #include "vtkGenerateGlobalIds.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkMPI.h"
 #include "vtkMPICommunicator.h"
 #include "vtkMultiProcessController.h"
@@ -211,9 +215,34 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkPLaplacianMeshOptimizer::M
   return std::make_unique<DistributedEngine>(this);
 }
 
+int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  // The pipeline then executes block by block, in processes that have blocks only: the others would
+  // not take part in what all do together. It asks for the extents of blocks without this key.
+  const bool isForAll = request->Has(vtkExecutive::ALGORITHM_BEFORE_FORWARD());
+  if (isForAll)
+  {
+    this->HasBlocks = vtkCompositeDataSet::GetData(inputVector[0]) != nullptr &&
+                      CommunicatorOf(this->Controller) != MPI_COMM_NULL;
+  }
+  if (isForAll && this->HasBlocks)
+  {
+    vtkErrorMacro("The input is a composite data set, whose blocks cannot be optimized in several "
+                  "processes. Extract a block and apply vtkMergeBlocks first (Extract Block and "
+                  "Merge Blocks in ParaView).");
+    return 0;
+  }
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
 int vtkPLaplacianMeshOptimizer::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (this->HasBlocks)
+  {
+    return 0;
+  }
   int result = 0;
   const auto run = [&]
   { result = this->Superclass::RequestData(request, inputVector, outputVector); };

@@ -13,6 +13,8 @@
  * identical in all processes. Cells that vtkGhostType marks as duplicates do not count. Pieces may
  * be cut in any way and may be empty.
  *
+ * A composite data set is an error in several processes, which may hold different blocks of it.
+ *
  * Every process has to execute the filter, with the same properties. An error in one process is an
  * error in all. The figures, on every process, are those of the whole surface. With one process, or
  * without MPI, this is vtkLaplacianMeshOptimizer.
@@ -56,6 +58,8 @@ protected:
   vtkPLaplacianMeshOptimizer();
   ~vtkPLaplacianMeshOptimizer() override;
 
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   std::unique_ptr<Engine> MakeEngine() override;
 
@@ -66,6 +70,8 @@ private:
   void operator=(const vtkPLaplacianMeshOptimizer&) = delete;
 
   class DistributedEngine;
+
+  bool HasBlocks = false; ///< the input is composite, which was reported as an error
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -4,12 +4,15 @@
 #include "FilterTesting.h"
 
 #include "vtkCellArray.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkTestErrorObserver.h"
 
 #include <cmath>
 #include <limits>
@@ -257,6 +260,21 @@ void CheckParameters(Checks& c)
   CheckValues(c, "Tolerance", &Optimizer::SetTolerance, { 0.0, 1.0, -1.0, NaN, Infinity });
   CheckValues(c, "MaximumNumberOfIterations", &Optimizer::SetMaximumNumberOfIterations, { 0, -1 });
 }
+
+/// One process that is asked for a piece would tear the surface at the borders.
+void CheckPieces(Checks& c)
+{
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(MakePolyData(Icosphere(1)));
+  vtkNew<vtkTest::ErrorObserver> observer;
+  filter->AddObserver(vtkCommand::ErrorEvent, observer);
+  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkTest::ErrorObserver>());
+  filter->UpdatePiece(0, 2, 0);
+  const std::string error = observer->GetErrorMessage();
+  c.True(
+    "pieces are an error that names what is missing", error.find("PETSc") != std::string::npos);
+  c.True("there is no result for a piece", IsEmpty(filter->GetOutput()));
+}
 }
 
 int TestOptimizerErrors(int, char*[])
@@ -269,5 +287,6 @@ int TestOptimizerErrors(int, char*[])
   CheckHugeCoordinates(c);
   CheckOverflow(c);
   CheckNormals(c);
+  CheckPieces(c);
   return c.Result();
 }

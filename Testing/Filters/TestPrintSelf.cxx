@@ -31,10 +31,13 @@ int TestPrintSelf(int, char*[])
     { "Mode", "LaplacianType", "RobustLaplacian", "PositionWeighting", "ScaleFactor",
       "LaplacianWeighting", "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints",
       "TangentPlaneWeight", "BoundaryCondition", "SelectionUse", "SolverType", "Tolerance",
-      "MaximumNumberOfIterations", "ComputeNormals", "MeanRadiusRatio", "MinimumRadiusRatio",
-      "InputMeanRadiusRatio", "InputMinimumRadiusRatio", "MaximumDisplacement",
-      "RelativeMaximumDisplacement", "RelativeVolumeChange", "FlippedTriangles", "Iterations",
-      "RelativeResidual" });
+      "MaximumNumberOfIterations", "MaximumDeviation", "NumberOfPasses", "ImproveWorstTriangles",
+      "FeatureConstraints", "DetectFeatures", "FeatureAngle", "NormalIterations", "NormalWidth",
+      "DetailWeight", "PreserveVolume", "Twicing", "ComputeNormals", "MeanRadiusRatio",
+      "MinimumRadiusRatio", "InputMeanRadiusRatio", "InputMinimumRadiusRatio",
+      "MaximumDisplacement", "RelativeMaximumDisplacement", "RelativeVolumeChange",
+      "FlippedTriangles", "Iterations", "RelativeResidual", "RelativeHausdorffBound", "Passes",
+      "RolledBackPoints" });
   CheckNames(c, vtkNew<vtkSurfaceDeviation>(),
     { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
       "RelativeMeanDistance" });

@@ -12,7 +12,13 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 LoadPlugin("LaplacianMeshOptimization", remote=False, ns=globals())
 
 ENUMERATIONS = {
-    "Mode": ["Optimize Triangles", "Smooth", "Prescribed Laplacians"],
+    "Mode": [
+        "Optimize Triangles",
+        "Smooth",
+        "Prescribed Laplacians",
+        "Optimize Within Deviation",
+        "Smooth Guided",
+    ],
     "LaplacianType": ["Uniform", "Cotangent", "Mean Curvature"],
     "PositionWeighting": ["Constant", "Linear", "CDF", "Anchors", "Array"],
     "LaplacianWeighting": ["Constant", "Linear Complement", "CDF Complement", "Gaussian", "Array"],
@@ -30,6 +36,17 @@ NUMBERS = {
     "TangentPlaneWeight": 2.5,
     "Tolerance": 1e-9,
     "MaximumNumberOfIterations": 77,
+    "MaximumDeviation": 0.001,
+    "NumberOfPasses": 3,
+    "ImproveWorstTriangles": 0,
+    "DetailWeight": 0.5,
+    "NormalIterations": 20,
+    "NormalWidth": 0.5,
+    "FeatureConstraints": 1,
+    "DetectFeatures": 0,
+    "FeatureAngle": 60,
+    "PreserveVolume": 1,
+    "Twicing": 1,
     "ComputeNormals": 0,
 }
 
@@ -38,6 +55,7 @@ ARRAYS = [
     "LaplacianWeightArray",
     "PrescribedLaplacianArray",
     "FixedPointArray",
+    "FeatureArray",
 ]
 
 RESULTS = [
@@ -51,6 +69,7 @@ RESULTS = [
     "FlippedTriangles",
     "Iterations",
     "RelativeResidual",
+    "RelativeHausdorffBound",
 ]
 
 PROPERTIES = {

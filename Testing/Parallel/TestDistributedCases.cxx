@@ -169,7 +169,7 @@ int TestDistributedCases(int argc, char* argv[])
 {
   MpiJob job(argc, argv);
   Checks c;
-  const std::pair<const char*, TestMesh> meshes[] = {
+  const std::pair<std::string, TestMesh> meshes[] = {
     { "a closed surface", Irregular(Icosphere(3), 0.02) },
     { "an open surface", Irregular(HalfSphere(3), 0.02) },
     { "two components and a point", WithIsolatedPoint(Irregular(TwoComponents(), 0.02)) },

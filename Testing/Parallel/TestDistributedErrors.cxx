@@ -8,6 +8,7 @@
 #include "vtkDataObject.h"
 #include "vtkIdTypeArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -57,9 +58,9 @@ void CheckOneProcess(MpiJob& job, Checks& c)
   CheckRefusal(job, c, "NaN in one process", "NaN",
     [](Optimizer*, vtkPolyData* input)
     { input->GetPoints()->SetPoint(3, 0, std::numeric_limits<double>::quiet_NaN(), 0); });
-  CheckRefusal(job, c, "a quad in one process", "vtkTriangleFilter",
+  CheckRefusal(job, c, "a point that does not exist in one process", "Repair",
     [](Optimizer*, vtkPolyData* input) {
-      input->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+      input->GetPolys()->InsertNextCell({ 0, 1, 5000 });
     });
   CheckRefusal(job, c, "a property out of range in one process", "ScaleFactor",
     [](Optimizer* filter, vtkPolyData*) { filter->SetScaleFactor(-1); });
@@ -69,6 +70,18 @@ void CheckOneProcess(MpiJob& job, Checks& c)
       filter->SetInputArrayToProcess(
         Optimizer::FIXED_POINT_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Missing");
     });
+}
+
+void CheckWhatNeedsOneProcess(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(1), 0.02);
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(
+    TakePiece(MakePolyData(mesh), Sectors(mesh), job.Rank(), job.Size()).surface);
+  filter->SetRobustLaplacian(true);
+  const bool isRefused = Update(filter).errors.find("one process") != std::string::npos;
+  c.Error(
+    "what works in one process only is an error in every process", job.Largest(!isRefused), 0);
 }
 
 void CheckGlobalIds(MpiJob& job, Checks& c)
@@ -85,6 +98,21 @@ void CheckGlobalIds(MpiJob& job, Checks& c)
   filter->SetInputData(piece.surface);
   const bool isRefused = Update(filter).errors.find("global ids") != std::string::npos;
   c.Error("equal global ids at different places are an error", job.Largest(!isRefused), 0);
+}
+
+/// The first process has more blocks than the others.
+void CheckBlocks(MpiJob& job, Checks& c)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  blocks->SetNumberOfBlocks(2);
+  for (unsigned int k = 0; k < 2; ++k)
+  {
+    blocks->SetBlock(k, job.Rank() == 0 ? MakePolyData(Icosphere(1)).Get() : nullptr);
+  }
+  vtkNew<Optimizer> filter;
+  filter->SetInputDataObject(blocks);
+  const bool isRefused = Update(filter).errors.find("composite") != std::string::npos;
+  c.Error("blocks are an error in every process", job.Largest(!isRefused), 0);
 }
 
 void CheckCancellation(MpiJob& job, Checks& c)
@@ -139,7 +167,9 @@ int TestDistributedErrors(int argc, char* argv[])
   CheckCancellation(job, c);
   if (job.Size() > 1)
   {
+    CheckWhatNeedsOneProcess(job, c);
     CheckGlobalIds(job, c);
+    CheckBlocks(job, c);
   }
   CheckMemory(job, c);
   return c.Result();
