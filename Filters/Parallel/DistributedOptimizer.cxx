@@ -35,20 +35,19 @@ std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
 /// \throw InputError for what works in one process only.
 void CheckOptions(const OptimizerOptions& options)
 {
-  if (options.mode > Mode::PRESCRIBED_LAPLACIANS)
+  const std::pair<bool, const char*> choices[] = {
+    { options.mode > Mode::PRESCRIBED_LAPLACIANS, "This mode" },
+    { options.robustLaplacian, "RobustLaplacian" },
+    { options.featureConstraints, "FeatureConstraints" },
+    { options.preserveVolume, "PreserveVolume" },
+  };
+  for (const auto& [isChosen, name] : choices)
   {
-    throw InputError("This mode works in one process only. Choose OPTIMIZE_TRIANGLES, SMOOTH or "
-                     "PRESCRIBED_LAPLACIANS, or run in one process.");
-  }
-  if (options.featureConstraints || options.preserveVolume)
-  {
-    throw InputError("FeatureConstraints and PreserveVolume work in one process only. Switch them "
-                     "off, or run in one process.");
-  }
-  if (options.robustLaplacian)
-  {
-    throw InputError("RobustLaplacian works in one process only, since its flips of edges may lead "
-                     "through several. Switch it off, or run in one process.");
+    if (isChosen)
+    {
+      throw InputError(std::string(name) +
+                       " works in one process only. Choose without it, or run in one process.");
+    }
   }
 }
 }

@@ -118,6 +118,12 @@ std::vector<Case> SolverCases()
           filter->SetBoundaryCondition(Optimizer::SLIDING);
         } });
   }
+  cases.push_back({ "smoothing twice", [](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::SMOOTH);
+      filter->SetTwicing(true);
+      filter->SetBoundaryCondition(Optimizer::SLIDING);
+    } });
   cases.push_back({ "strong smoothing", [](Optimizer* filter)
     {
       filter->SetMode(Optimizer::SMOOTH);

@@ -75,13 +75,23 @@ void CheckOneProcess(MpiJob& job, Checks& c)
 void CheckWhatNeedsOneProcess(MpiJob& job, Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(1), 0.02);
-  vtkNew<Optimizer> filter;
-  filter->SetInputData(
-    TakePiece(MakePolyData(mesh), Sectors(mesh), job.Rank(), job.Size()).surface);
-  filter->SetRobustLaplacian(true);
-  const bool isRefused = Update(filter).errors.find("one process") != std::string::npos;
-  c.Error(
-    "what works in one process only is an error in every process", job.Largest(!isRefused), 0);
+  const auto piece = TakePiece(MakePolyData(mesh), Sectors(mesh), job.Rank(), job.Size()).surface;
+  const std::pair<const char*, SetUp> choices[] = {
+    { "staying within a deviation",
+      [](Optimizer* filter) { filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION); } },
+    { "guided smoothing", [](Optimizer* filter) { filter->SetMode(Optimizer::SMOOTH_GUIDED); } },
+    { "the robust Laplacian", [](Optimizer* filter) { filter->SetRobustLaplacian(true); } },
+    { "feature constraints", [](Optimizer* filter) { filter->SetFeatureConstraints(true); } },
+    { "preserving the volume", [](Optimizer* filter) { filter->SetPreserveVolume(true); } },
+  };
+  for (const auto& [name, choose] : choices)
+  {
+    vtkNew<Optimizer> filter;
+    filter->SetInputData(piece);
+    choose(filter);
+    const bool isRefused = Update(filter).errors.find("one process") != std::string::npos;
+    c.Error(std::string(name) + " is an error in every process", job.Largest(!isRefused), 0);
+  }
 }
 
 void CheckGlobalIds(MpiJob& job, Checks& c)
