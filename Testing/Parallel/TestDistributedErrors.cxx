@@ -180,7 +180,7 @@ int TestDistributedErrors(int argc, char* argv[])
     CheckWhatNeedsOneProcess(job, c);
     CheckGlobalIds(job, c);
     CheckBlocks(job, c);
+    CheckMemory(job, c);
   }
-  CheckMemory(job, c);
   return c.Result();
 }
