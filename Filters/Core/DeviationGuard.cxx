@@ -38,6 +38,19 @@ Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& 
   return normals;
 }
 
+/// Least cosine of the angles between a triangle's normal and the vertex normals at its corners.
+double LeastCosineAtCorners(
+  const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
+{
+  const Vector3 normal = ScaledNormal(V, T, t).stableNormalized();
+  double least = 1;
+  for (int k = 0; k < 3; ++k)
+  {
+    least = std::min(least, normal.dot(VertexNormal(V, T, topology, T(t, k))));
+  }
+  return least;
+}
+
 void AddOnce(const std::vector<Index>& more, Mask& isListed, std::vector<Index>& list)
 {
   for (const Index t : more)
@@ -89,23 +102,16 @@ DeviationGuard::DeviationGuard(
 std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertices) const
 {
   std::vector<Index> triangles;
-  Mask isListed(vertices.size() > 1 ? this->T.rows() : 0, false);
   for (const Index i : vertices)
   {
     const AdjacencyLists& cornersAt = this->Topology.cornersAt;
     for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
     {
-      const Index t = *corner / 3;
-      if (isListed.empty() || !isListed[t])
-      {
-        triangles.push_back(t);
-      }
-      if (!isListed.empty())
-      {
-        isListed[t] = true;
-      }
+      triangles.push_back(*corner / 3);
     }
   }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
   return triangles;
 }
 
@@ -153,13 +159,26 @@ bool DeviationGuard::IsTurned(Index t) const
          std::min(LeastCosine, this->AdmittedCosine[t]);
 }
 
+bool DeviationGuard::IsInverted(Index t) const
+{
+  const double cosine = LeastCosineAtCorners(this->Candidate, this->T, this->Topology, t);
+  return cosine < 0 &&
+         cosine < LeastCosineAtCorners(this->Admitted, this->T, this->Topology, t);
+}
+
 template <typename IsBeyond>
 std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyond& isBeyond)
 {
-  const auto middle =
-    std::stable_partition(list.begin(), list.end(), [&](Index t) { return !isBeyond(t); });
-  std::vector<Index> beyond(middle, list.end());
-  list.erase(middle, list.end());
+  Mask areBeyond(list.size());
+  ParallelFor(
+    static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
+  std::vector<Index> beyond;
+  std::vector<Index> others;
+  for (std::size_t k = 0; k < list.size(); ++k)
+  {
+    (areBeyond[k] ? beyond : others).push_back(list[k]);
+  }
+  list = std::move(others);
   return beyond;
 }
 
@@ -180,9 +199,12 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   const std::vector<Index>& vertices, double leastQuality)
 {
   this->Tree.Invalidate();
-  std::vector<Index> changed = this->TrianglesAt(vertices);
+  std::vector<Index> changed;
   Mask isListed(this->T.rows(), false);
-  AddOnce(changed, isListed);
+  for (const Index i : vertices)
+  {
+    AddOnce(this->TrianglesAt({ i }), isListed, changed);
+  }
   std::vector<Index> originals = this->ToCandidate.FindDependent(isListed);
   AddOnce(this->Open, isListed, changed);
   isListed.assign(isListed.size(), false);
@@ -194,7 +216,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
     [&](Index t)
     {
       return this->Quality[t] < std::min(leastQuality, this->AdmittedQuality[t]) ||
-             this->IsFolded(t);
+             this->IsFolded(t) || this->IsInverted(t);
     });
   const std::vector<Index> astray = this->FindAstray(changed);
   bad.insert(bad.end(), astray.begin(), astray.end());
@@ -277,6 +299,9 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     this->BuildDependents();
   }
   const std::vector<Index> changed = this->TrianglesAt({ vertex });
+  const AdjacencyLists& rings = this->Topology.oneRings;
+  const std::vector<Index> neighbours =
+    this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
   this->Move(vertex, position);
   this->UpdateShapes(changed);
   std::vector<DistanceProofs::Proof> proofs;
@@ -286,7 +311,10 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   }
   std::vector<Index> originals;
   bool isAdmitted =
-    std::none_of(changed.begin(), changed.end(), [this](Index t) { return this->IsFolded(t); }) &&
+    std::none_of(changed.begin(), changed.end(),
+      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
+    std::none_of(neighbours.begin(), neighbours.end(),
+      [this](Index t) { return this->IsInverted(t); }) &&
     this->FindAstray(changed).empty();
   if (isAdmitted)
   {

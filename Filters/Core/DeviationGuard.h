@@ -70,6 +70,9 @@ private:
   bool IsFolded(Index t) const;
   bool IsTurned(Index t) const;
 
+  /// True if the triangle faces away from the mean normal at one of its corners, more than before.
+  bool IsInverted(Index t) const;
+
   /// Moves the triangles of the list that are beyond a limit to the result.
   template <typename IsBeyond>
   static std::vector<Index> Split(std::vector<Index>& list, const IsBeyond& isBeyond);

@@ -14,7 +14,7 @@ namespace lmo
 {
 namespace
 {
-constexpr double ShapeWeight = 0.3;     ///< beta
+constexpr double ShapeWeight = 1;       ///< beta
 constexpr double FreeEigenvalue = 0.05; ///< of a direction that is free, per triangle at the vertex
 
 /// The normal equations of the problem.

@@ -156,21 +156,24 @@ Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopol
   return defects;
 }
 
+Vector3 VertexNormal(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index i)
+{
+  Vector3 sum = Vector3::Zero();
+  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  {
+    const CornerEdges edges(V, triangles, *c);
+    sum += edges.next.cross(edges.previous);
+  }
+  const double length = sum.norm();
+  return length > 0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
+}
+
 Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology)
 {
   Points normals(V.rows(), 3);
   ParallelFor(topology.vertices,
-    [&](Index i)
-    {
-      Vector3 sum = Vector3::Zero();
-      for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
-      {
-        const CornerEdges edges(V, triangles, *c);
-        sum += edges.next.cross(edges.previous);
-      }
-      const double length = sum.norm();
-      normals.row(i) = length > 0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
-    });
+    [&](Index i) { normals.row(i) = VertexNormal(V, triangles, topology, i); });
   return normals;
 }
 

@@ -43,6 +43,10 @@ Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const Mesh
 /// 2 pi minus the sum of the angles at each vertex, in radians; 0 at isolated vertices.
 Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
+/// One row of VertexNormals().
+Vector3 VertexNormal(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index i);
+
 /// Unit mean of the normals of the triangles at each vertex, weighted by area; 0 where undefined.
 Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 

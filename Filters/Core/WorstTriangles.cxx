@@ -114,17 +114,6 @@ private:
     return sum / rings.Size(vertex);
   }
 
-  Vector3 NormalAt(Index vertex) const
-  {
-    const AdjacencyLists& cornersAt = this->Topology.cornersAt;
-    Vector3 normal = Vector3::Zero();
-    for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
-    {
-      normal += ScaledNormal(this->Guard.GetAdmitted(), this->T, *c / 3);
-    }
-    return normal.stableNormalized();
-  }
-
   /// Unit directions in which the vertex may move.
   std::vector<Vector3> DirectionsOf(Index vertex) const
   {
@@ -133,7 +122,8 @@ private:
     {
       return { axis, -axis };
     }
-    const Vector3 normal = this->NormalAt(vertex);
+    const Vector3 normal =
+      VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
     const Vector3 u = normal.unitOrthogonal();
     const Vector3 v = normal.cross(u);
     std::vector<Vector3> directions;
