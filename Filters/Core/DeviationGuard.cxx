@@ -38,17 +38,16 @@ Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& 
   return normals;
 }
 
-/// Least cosine of the angles between a triangle's normal and the vertex normals at its corners.
-double LeastCosineAtCorners(
-  const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
+/// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
+/// corners.
+double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
 {
-  const Vector3 normal = ScaledNormal(V, T, t).stableNormalized();
-  double least = 1;
+  Vector3 sum = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    least = std::min(least, normal.dot(VertexNormal(V, T, topology, T(t, k))));
+    sum += VertexNormal(V, T, topology, T(t, k));
   }
-  return least;
+  return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
 }
 
 void AddOnce(const std::vector<Index>& more, Mask& isListed, std::vector<Index>& list)
@@ -161,17 +160,15 @@ bool DeviationGuard::IsTurned(Index t) const
 
 bool DeviationGuard::IsInverted(Index t) const
 {
-  const double cosine = LeastCosineAtCorners(this->Candidate, this->T, this->Topology, t);
-  return cosine < 0 &&
-         cosine < LeastCosineAtCorners(this->Admitted, this->T, this->Topology, t);
+  const double cosine = CosineToVertices(this->Candidate, this->T, this->Topology, t);
+  return cosine < 0 && cosine < CosineToVertices(this->Admitted, this->T, this->Topology, t);
 }
 
 template <typename IsBeyond>
 std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyond& isBeyond)
 {
   Mask areBeyond(list.size());
-  ParallelFor(
-    static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
+  ParallelFor(static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
   std::vector<Index> beyond;
   std::vector<Index> others;
   for (std::size_t k = 0; k < list.size(); ++k)
@@ -310,12 +307,11 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     proofs.push_back(this->ToOriginal.Get(t));
   }
   std::vector<Index> originals;
-  bool isAdmitted =
-    std::none_of(changed.begin(), changed.end(),
-      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
-    std::none_of(neighbours.begin(), neighbours.end(),
-      [this](Index t) { return this->IsInverted(t); }) &&
-    this->FindAstray(changed).empty();
+  bool isAdmitted = std::none_of(changed.begin(), changed.end(),
+                      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
+                    std::none_of(neighbours.begin(), neighbours.end(),
+                      [this](Index t) { return this->IsInverted(t); }) &&
+                    this->FindAstray(changed).empty();
   if (isAdmitted)
   {
     for (const Index t : changed)

@@ -70,7 +70,7 @@ private:
   bool IsFolded(Index t) const;
   bool IsTurned(Index t) const;
 
-  /// True if the triangle faces away from the mean normal at one of its corners, more than before.
+  /// True if the triangle faces away from the vertex normals at its corners, more than before.
   bool IsInverted(Index t) const;
 
   /// Moves the triangles of the list that are beyond a limit to the result.

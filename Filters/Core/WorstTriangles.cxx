@@ -122,8 +122,7 @@ private:
     {
       return { axis, -axis };
     }
-    const Vector3 normal =
-      VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
+    const Vector3 normal = VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
     const Vector3 u = normal.unitOrthogonal();
     const Vector3 v = normal.cross(u);
     std::vector<Vector3> directions;
