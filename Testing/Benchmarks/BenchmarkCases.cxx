@@ -73,6 +73,16 @@ void AddTriangleCases(std::vector<Case>& cases)
       filter->Update();
       filter->SetScaleFactor(0.95);
     }));
+  for (const int passes : { 5, 3 })
+  {
+    const std::string number = std::to_string(passes);
+    cases.push_back(MakeCase<Optimizer>("within-deviation-" + number, "within " + number,
+      [passes](Optimizer* filter)
+      {
+        filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
+        filter->SetNumberOfPasses(passes);
+      }));
+  }
 }
 
 Case Smoothing(const std::string& name, const std::string& title, int laplacian, double scaleFactor,
@@ -117,5 +127,8 @@ std::vector<Case> AllCases()
   AddSmoothingCases(cases, "uniform", "U", Optimizer::UNIFORM);
   AddSmoothingCases(cases, "cotangent", "C", Optimizer::COTANGENT);
   AddSmoothingCases(cases, "curvature", "K", Optimizer::MEAN_CURVATURE);
+  cases.push_back(MakeCase<Optimizer>(
+    "guided", "guided", [](Optimizer* filter) { filter->SetMode(Optimizer::SMOOTH_GUIDED); }));
+  cases.back().table = CaseTable::Smoothing;
   return cases;
 }

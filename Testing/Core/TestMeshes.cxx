@@ -52,12 +52,19 @@ TestMesh Subdivide(const TestMesh& mesh)
   return MakeMesh(vertices, triangles);
 }
 
-TestMesh SphereFrom(TestMesh mesh, int level, double radius)
+/// The same \a level times.
+TestMesh Subdivide(TestMesh mesh, int level)
 {
   for (int i = 0; i < level; ++i)
   {
     mesh = Subdivide(mesh);
   }
+  return mesh;
+}
+
+TestMesh SphereFrom(TestMesh mesh, int level, double radius)
+{
+  mesh = Subdivide(std::move(mesh), level);
   mesh.V.rowwise().normalize();
   mesh.V *= radius;
   return mesh;
@@ -148,12 +155,14 @@ TestMesh Tetrahedron()
     { { 0, 1, 2 }, { 0, 3, 1 }, { 0, 2, 3 }, { 1, 3, 2 } });
 }
 
-TestMesh Cube()
+TestMesh Cube(int level)
 {
-  return MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
-                    { 0, 1, 1 }, { 1, 1, 1 } },
-    { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 }, { 2, 6, 3 },
-      { 3, 6, 7 }, { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } });
+  return Subdivide(
+    MakeMesh({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 0, 0, 1 }, { 1, 0, 1 },
+               { 0, 1, 1 }, { 1, 1, 1 } },
+      { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 }, { 2, 6, 3 },
+        { 3, 6, 7 }, { 0, 4, 2 }, { 2, 4, 6 }, { 1, 3, 5 }, { 3, 7, 5 } }),
+    level);
 }
 
 TestMesh Icosphere(int level, double radius)
@@ -171,15 +180,11 @@ TestMesh Icosphere(int level, double radius)
 
 TestMesh DoublePyramid(int level)
 {
-  TestMesh mesh =
+  return Subdivide(
     MakeMesh({ { 1, 1, 0 }, { -1, 1, 0 }, { -1, -1, 0 }, { 1, -1, 0 }, { 0, 0, 1 }, { 0, 0, -1 } },
       { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 }, { 1, 0, 5 }, { 2, 1, 5 }, { 3, 2, 5 },
-        { 0, 3, 5 } });
-  for (int i = 0; i < level; ++i)
-  {
-    mesh = Subdivide(mesh);
-  }
-  return mesh;
+        { 0, 3, 5 } }),
+    level);
 }
 
 TestMesh TwoComponents()

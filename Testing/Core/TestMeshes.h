@@ -58,8 +58,8 @@ TestMesh HalfSphere(int level);
 /// Corners (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1).
 TestMesh Tetrahedron();
 
-/// [0, 1]^3, each face cut in two.
-TestMesh Cube();
+/// [0, 1]^3, each face cut in two triangles, which are cut in four \a level times.
+TestMesh Cube(int level = 0);
 
 /// Sphere of 10 4^level + 2 vertices.
 TestMesh Icosphere(int level, double radius = 1);

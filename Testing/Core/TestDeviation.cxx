@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "TestMeasures.h"
+
+#include "Core/Optimizer.h"
+#include "Core/TriangleCover.h"
+#include "Core/TriangleTree.h"
+
+#include <algorithm>
+#include <cmath>
+
+using namespace lmo;
+
+namespace
+{
+/// Points of a grid over each triangle whose step is no power of two of the edge.
+constexpr int GridSteps = 7;
+
+constexpr double RoundOff = 1e-15;
+
+/// Largest distance of the points of \a from to the other mesh, found by trying every triangle.
+double DistanceOneWay(const TestMesh& from, const TestMesh& to)
+{
+  double distance = 0;
+  for (Index t = 0; t < from.T.rows(); ++t)
+  {
+    for (int i = 0; i <= GridSteps; ++i)
+    {
+      for (int j = 0; i + j <= GridSteps; ++j)
+      {
+        const Vector3 x = (i * from.V.row(from.T(t, 0)) + j * from.V.row(from.T(t, 1)) +
+                            (GridSteps - i - j) * from.V.row(from.T(t, 2))) /
+                          GridSteps;
+        distance = std::max(distance, DistanceToSurface(x, to));
+      }
+    }
+  }
+  return distance;
+}
+
+OptimizerOptions WithinDeviation(double deviation)
+{
+  OptimizerOptions options;
+  options.mode = Mode::OPTIMIZE_WITHIN_DEVIATION;
+  options.deviation.maximum = deviation;
+  return options;
+}
+
+struct Outcome
+{
+  OptimizerResult result;
+  double relativeDistance = 0; ///< of the larger way
+};
+
+Outcome Run(const TestMesh& mesh, const OptimizerOptions& options)
+{
+  Monitor monitor;
+  Outcome outcome;
+  outcome.result = Optimize(mesh.V, mesh.T, options, {}, monitor);
+  const TestMesh moved{ outcome.result.positions, mesh.T };
+  const double diagonal = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();
+  outcome.relativeDistance =
+    std::max(DistanceOneWay(moved, mesh), DistanceOneWay(mesh, moved)) / diagonal;
+  return outcome;
+}
+
+/// The promises of the mode on a mesh.
+void CheckPromises(Checks& c, const std::string& name, const TestMesh& mesh, double deviation)
+{
+  const Outcome outcome = Run(mesh, WithinDeviation(deviation));
+  const DeviationReport& report = outcome.result.deviation;
+  const SurfaceComparison& comparison = outcome.result.comparison;
+  c.Error(name + " stays within the deviation", outcome.relativeDistance, deviation);
+  c.Error(name + " stays within the bound reported", outcome.relativeDistance,
+    report.relativeBound + RoundOff);
+  c.Error(name + " has a bound within the deviation", report.relativeBound, deviation);
+  c.Error(name + " keeps its least radius ratio",
+    comparison.before->minimum - comparison.after.minimum, RoundOff);
+  c.Error(name + " keeps its mean radius ratio", comparison.before->mean - comparison.after.mean,
+    RoundOff);
+}
+
+void CheckDistances(Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(2), 0.1);
+  const TriangleTree tree(mesh.V, mesh.T);
+  Random random;
+  double error = 0;
+  for (int k = 0; k < 200; ++k)
+  {
+    const Vector3 x(1.5 * random(), 1.5 * random(), 1.5 * random());
+    const double found = std::sqrt(tree.FindClosest(x, 10, k).squaredDistance);
+    error = Larger(error, std::abs(found - DistanceToSurface(x, mesh)));
+  }
+  c.Error("the tree finds the distance that a search of all triangles finds", error, 1e-14);
+  c.True("the tree finds nothing beyond the radius",
+    tree.FindClosest(Vector3(5, 0, 0), 1, -1).triangle == -1);
+}
+
+void CheckGuarantee(Checks& c)
+{
+  CheckPromises(c, "an irregular sphere", Irregular(Icosphere(2), 0.08), 0.005);
+  CheckPromises(c, "an irregular sphere with a small error", Irregular(Icosphere(2), 0.08), 0.001);
+  CheckPromises(c, "a sphere with thin triangles", WithThinTriangles(Icosphere(2)), 0.005);
+  CheckPromises(c, "a folded sphere", Irregular(Icosphere(2), 0.2), 0.005);
+  CheckPromises(c, "an open grid", Grid(10, 0.4), 0.01);
+  CheckPromises(c, "a half sphere", Irregular(HalfSphere(2), 0.05), 0.004);
+  CheckPromises(c, "three wings", ThreeWings(), 0.01);
+  CheckPromises(c, "two components", TwoComponents(), 0.003);
+  CheckPromises(c, "a coarse cube", Cube(), 0.01);
+}
+
+void CheckFeatures(Checks& c)
+{
+  const TestMesh cube = Cube(3);
+  const Outcome outcome = Run(cube, WithinDeviation(0.02));
+  const Points& moved = outcome.result.positions;
+  double error = 0;
+  for (Index i = 0; i < moved.rows(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const bool wasOnFace = cube.V(i, k) == 0 || cube.V(i, k) == 1;
+      error = wasOnFace ? Larger(error, std::abs(moved(i, k) - cube.V(i, k))) : error;
+    }
+  }
+  c.Error("points on faces, edges and corners of a cube stay on them", error, 1e-12);
+  const auto count = [&](double value)
+  { return (outcome.result.featureClass.array() == value).count(); };
+  c.True("a cube has 8 corners and no more", count(FeatureLines::CORNER) == 8);
+  c.True("a cube's edges are found", count(FeatureLines::EDGE) == 12 * 7);
+}
+
+void CheckCancel(Checks& c)
+{
+  /// Asks to stop after some questions.
+  struct Impatient : Monitor
+  {
+    int Patience;
+    explicit Impatient(int patience)
+      : Patience(patience)
+    {
+    }
+    bool IsCancelled() override { return --this->Patience < 0; }
+  };
+  const TestMesh mesh = Irregular(Icosphere(2), 0.08);
+  for (const int patience : { 5, 40, 80 })
+  {
+    Impatient monitor(patience);
+    const OptimizerResult result = Optimize(mesh.V, mesh.T, WithinDeviation(0.005), {}, monitor);
+    const double distance = DistanceOneWay({ result.positions, mesh.T }, mesh);
+    c.True(
+      "cancelled after " + std::to_string(patience) + " reports it says so", result.isCancelled);
+    c.Error(
+      "cancelled after " + std::to_string(patience) + " reports it stays within the deviation",
+      distance, 0.005 * 2 * std::sqrt(3) * 1.06);
+  }
+}
+}
+
+int TestDeviation(int, char*[])
+{
+  Checks c;
+  CheckDistances(c);
+  CheckGuarantee(c);
+  CheckFeatures(c);
+  CheckCancel(c);
+  return c.Result();
+}
