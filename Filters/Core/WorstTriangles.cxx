@@ -19,6 +19,9 @@ constexpr int MostSweeps = 10;
 constexpr int MostMoves = 10; ///< of a vertex at once
 constexpr double SmallestGain = 1e-3;
 
+/// Vertices of more triangles stay: trying a position takes a time that grows with their number.
+constexpr Index LargestRing = 100;
+
 class Search
 {
 public:
@@ -124,6 +127,10 @@ private:
     }
     const Vector3 normal =
       VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
+    if (normal.isZero(0))
+    {
+      return {};
+    }
     const Vector3 u = normal.unitOrthogonal();
     const Vector3 v = normal.cross(u);
     std::vector<Vector3> directions;
@@ -162,7 +169,8 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED ||
+        this->Topology.cornersAt.Size(vertex) > LargestRing)
     {
       return false;
     }
