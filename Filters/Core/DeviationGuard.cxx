@@ -38,7 +38,8 @@ Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& 
   return normals;
 }
 
-/// Least cosine of the angles between a triangle's normal and the vertex normals at its corners.
+/// Least cosine of the angles between a triangle's normal and the vertex normals at its corners
+/// that are no hubs, whose normals hardly change.
 double LeastCosineAtCorners(
   const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
 {
@@ -46,7 +47,9 @@ double LeastCosineAtCorners(
   double least = 1;
   for (int k = 0; k < 3; ++k)
   {
-    least = std::min(least, normal.dot(VertexNormal(V, T, topology, T(t, k))));
+    const Index i = T(t, k);
+    least =
+      topology.IsHub(i) ? least : std::min(least, normal.dot(VertexNormal(V, T, topology, i)));
   }
   return least;
 }
@@ -162,16 +165,14 @@ bool DeviationGuard::IsTurned(Index t) const
 bool DeviationGuard::IsInverted(Index t) const
 {
   const double cosine = LeastCosineAtCorners(this->Candidate, this->T, this->Topology, t);
-  return cosine < 0 &&
-         cosine < LeastCosineAtCorners(this->Admitted, this->T, this->Topology, t);
+  return cosine < 0 && cosine < LeastCosineAtCorners(this->Admitted, this->T, this->Topology, t);
 }
 
 template <typename IsBeyond>
 std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyond& isBeyond)
 {
   Mask areBeyond(list.size());
-  ParallelFor(
-    static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
+  ParallelFor(static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
   std::vector<Index> beyond;
   std::vector<Index> others;
   for (std::size_t k = 0; k < list.size(); ++k)
@@ -300,8 +301,10 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   }
   const std::vector<Index> changed = this->TrianglesAt({ vertex });
   const AdjacencyLists& rings = this->Topology.oneRings;
-  const std::vector<Index> neighbours =
-    this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
+  std::vector<Index> ring;
+  std::copy_if(rings.Begin(vertex), rings.End(vertex), std::back_inserter(ring),
+    [this](Index i) { return !this->Topology.IsHub(i); });
+  const std::vector<Index> neighbours = this->TrianglesAt(ring);
   this->Move(vertex, position);
   this->UpdateShapes(changed);
   std::vector<DistanceProofs::Proof> proofs;
@@ -310,12 +313,11 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     proofs.push_back(this->ToOriginal.Get(t));
   }
   std::vector<Index> originals;
-  bool isAdmitted =
-    std::none_of(changed.begin(), changed.end(),
-      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
-    std::none_of(neighbours.begin(), neighbours.end(),
-      [this](Index t) { return this->IsInverted(t); }) &&
-    this->FindAstray(changed).empty();
+  bool isAdmitted = std::none_of(changed.begin(), changed.end(),
+                      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
+                    std::none_of(neighbours.begin(), neighbours.end(),
+                      [this](Index t) { return this->IsInverted(t); }) &&
+                    this->FindAstray(changed).empty();
   if (isAdmitted)
   {
     for (const Index t : changed)

@@ -30,9 +30,14 @@ struct MeshTopology
   Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
   Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere
 
+  bool IsHub(Index i) const { return this->cornersAt.Size(i) > LargestStar; }
+
   /// At least one triangle, and no edge with exactly one.
   bool IsClosed() const;
 };
+
+/// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
+constexpr Index LargestStar = 100;
 
 /// The corners after and before corner 3 t + k, counter-clockwise.
 inline Index NextCorner(Index corner)

@@ -12,24 +12,21 @@ namespace lmo
 {
 namespace
 {
-/// Vertices of more triangles make no neighbours: the time would grow with the square.
-constexpr Index LargestRing = 100;
-
-/// Calls visit(neighbour) once for each triangle that shares a vertex with t.
+/// Calls visit(neighbour) once for each triangle that shares a vertex with t that is no hub.
 template <typename Visit>
 void ForEachAround(
-  const Triangles& triangles, const AdjacencyLists& cornersAt, Index t, const Visit& visit)
+  const Triangles& triangles, const MeshTopology& topology, Index t, const Visit& visit)
 {
+  const AdjacencyLists& cornersAt = topology.cornersAt;
   const auto isNear = [&](Index neighbour, Index i)
   {
-    return cornersAt.Size(i) <= LargestRing &&
-           (triangles(neighbour, 0) == i || triangles(neighbour, 1) == i ||
-             triangles(neighbour, 2) == i);
+    return !topology.IsHub(i) && (triangles(neighbour, 0) == i || triangles(neighbour, 1) == i ||
+                                   triangles(neighbour, 2) == i);
   };
   for (int k = 0; k < 3; ++k)
   {
     const Index i = triangles(t, k);
-    if (cornersAt.Size(i) > LargestRing)
+    if (topology.IsHub(i))
     {
       continue;
     }
@@ -48,13 +45,13 @@ void ForEachAround(
 
 /// Mean distance of the centroids of neighbours.
 double MeanDistance(
-  const Points& centroids, const Triangles& triangles, const AdjacencyLists& cornersAt)
+  const Points& centroids, const Triangles& triangles, const MeshTopology& topology)
 {
   const Eigen::Array2d sum =
     ParallelSum(static_cast<Index>(triangles.rows()), Eigen::Array2d(Eigen::Array2d::Zero()),
       [&](Eigen::Array2d& partial, Index t)
       {
-        ForEachAround(triangles, cornersAt, t,
+        ForEachAround(triangles, topology, t,
           [&](Index neighbour)
           {
             partial[0] += (centroids.row(neighbour) - centroids.row(t)).norm();
@@ -81,8 +78,7 @@ Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopo
       normals.row(t) = normal.stableNormalized();
       areas[t] = 0.5 * normal.norm();
     });
-  const AdjacencyLists& cornersAt = topology.cornersAt;
-  const double distance = MeanDistance(centroids, triangles, cornersAt);
+  const double distance = MeanDistance(centroids, triangles, topology);
   const double nearness = distance > 0 ? 0.5 / (distance * distance) : 0;
   Points filtered(count, 3);
   for (int iteration = 0; iteration < iterations; ++iteration)
@@ -92,7 +88,7 @@ Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopo
       [&](Index t)
       {
         Vector3 sum = areas[t] * normals.row(t);
-        ForEachAround(triangles, cornersAt, t,
+        ForEachAround(triangles, topology, t,
           [&](Index neighbour)
           {
             const double exponent =

@@ -172,8 +172,8 @@ Vector3 VertexNormal(
 Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology)
 {
   Points normals(V.rows(), 3);
-  ParallelFor(topology.vertices,
-    [&](Index i) { normals.row(i) = VertexNormal(V, triangles, topology, i); });
+  ParallelFor(
+    topology.vertices, [&](Index i) { normals.row(i) = VertexNormal(V, triangles, topology, i); });
   return normals;
 }
 

@@ -19,9 +19,6 @@ constexpr int MostSweeps = 10;
 constexpr int MostMoves = 10; ///< of a vertex at once
 constexpr double SmallestGain = 1e-3;
 
-/// Vertices of more triangles stay: trying a position takes a time that grows with their number.
-constexpr Index LargestRing = 100;
-
 class Search
 {
 public:
@@ -125,8 +122,7 @@ private:
     {
       return { axis, -axis };
     }
-    const Vector3 normal =
-      VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
+    const Vector3 normal = VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
     if (normal.isZero(0))
     {
       return {};
@@ -169,8 +165,7 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED ||
-        this->Topology.cornersAt.Size(vertex) > LargestRing)
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED || this->Topology.IsHub(vertex))
     {
       return false;
     }
