@@ -7,6 +7,9 @@
 
 namespace lmo
 {
+/// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
+constexpr Index LargestStar = 100;
+
 /// For each vertex a list of ids, all lists in one array (compressed rows).
 struct AdjacencyLists
 {
@@ -35,9 +38,6 @@ struct MeshTopology
   /// At least one triangle, and no edge with exactly one.
   bool IsClosed() const;
 };
-
-/// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
-constexpr Index LargestStar = 100;
 
 /// The corners after and before corner 3 t + k, counter-clockwise.
 inline Index NextCorner(Index corner)
