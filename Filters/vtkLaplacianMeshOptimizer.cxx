@@ -118,8 +118,8 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
   CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,
     filter.MaximumNumberOfIterations > 0, "more than 0");
 
-  CheckNumber(
-    "MaximumDeviation", filter.MaximumDeviation, filter.MaximumDeviation > 0, "more than 0");
+  CheckNumber("MaximumDeviation", filter.MaximumDeviation,
+    filter.MaximumDeviation > 0 && filter.MaximumDeviation <= 1, "more than 0, up to 1");
   CheckNumber("NumberOfPasses", filter.NumberOfPasses, filter.NumberOfPasses > 0, "more than 0");
   CheckNumber("FeatureAngle", filter.FeatureAngle,
     filter.FeatureAngle >= 0 && filter.FeatureAngle <= 180, "from 0 to 180");

@@ -312,7 +312,7 @@ public:
   /**
    * For OPTIMIZE_WITHIN_DEVIATION: the largest distance allowed between the surfaces before and
    * after, every point of either to the other (Hausdorff), divided by the diagonal of the bounding
-   * box. More than 0. Default: 0.002.
+   * box. Range: more than 0, up to 1. Default: 0.002.
    */
   vtkSetMacro(MaximumDeviation, double);
   vtkGetMacro(MaximumDeviation, double);

@@ -39,13 +39,17 @@ Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& 
 }
 
 /// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
-/// corners.
+/// corners, without those of hubs, which hardly change.
 double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
 {
   Vector3 sum = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
-    sum += VertexNormal(V, T, topology, T(t, k));
+    const Index i = T(t, k);
+    if (!topology.IsHub(i))
+    {
+      sum += VertexNormal(V, T, topology, i);
+    }
   }
   return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
 }
@@ -297,8 +301,10 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   }
   const std::vector<Index> changed = this->TrianglesAt({ vertex });
   const AdjacencyLists& rings = this->Topology.oneRings;
-  const std::vector<Index> neighbours =
-    this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
+  std::vector<Index> ring;
+  std::copy_if(rings.Begin(vertex), rings.End(vertex), std::back_inserter(ring),
+    [this](Index i) { return !this->Topology.IsHub(i); });
+  const std::vector<Index> neighbours = this->TrianglesAt(ring);
   this->Move(vertex, position);
   this->UpdateShapes(changed);
   std::vector<DistanceProofs::Proof> proofs;

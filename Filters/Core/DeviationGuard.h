@@ -57,7 +57,8 @@ public:
   void Reject();
 
   /// Moves one vertex and admits that, if no limit is passed; a triangle's t may fall. Any
-  /// positions set before have to be admitted or rejected. \return whether it is admitted
+  /// positions set before have to be admitted or rejected.
+  /// \return whether it is admitted
   bool TryMove(Index vertex, const Vector3& position);
 
 private:

@@ -5,10 +5,12 @@
 #include "DeviationGuard.h"
 #include "LinearSolver.h"
 #include "Parallel.h"
+#include "Rounding.h"
 #include "TriangleGeometry.h"
 #include "WorstTriangles.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace lmo
 {
@@ -26,10 +28,19 @@ constexpr double CentringShare = 0.6;    ///< of the distance, used up, from whi
 constexpr double Centring = 1.3;         ///< factor of that motion
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
 
-/// Least t that a pass may give a triangle which had it.
-double LeastQuality(int pass)
+/// Of distances between points in this box.
+double RoundOff(const Eigen::AlignedBox3d& box)
 {
-  return pass < 2 ? 0.1 : 0.3;
+  constexpr double factor = 8 * std::numeric_limits<double>::epsilon();
+  return box.isEmpty()
+           ? 0
+           : factor * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+/// Least t that a pass may give a triangle which had it, none below the least of the input.
+double LeastQuality(int pass, const MeshQuality& input)
+{
+  return std::max(pass < 2 ? 0.1 : 0.3, input.minimum);
 }
 
 class Passes
@@ -40,7 +51,8 @@ public:
     : Mesh(mesh)
     , Options(options)
     , Features(features)
-    , Distance(options.deviation.maximum * mesh.GetDiagonal())
+    , Distance(
+        std::max(options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance)
     , Adaption(Vector::Ones(mesh.GetPoints().rows()))
     , Share(Vector::Zero(mesh.GetPoints().rows()))
@@ -184,7 +196,7 @@ Vector3 Passes::Place(Index i, const Vector3& position) const
   const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
                            ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
                            : position;
-  return this->Options.roundToFloat ? Vector3(placed.cast<float>().cast<double>()) : placed;
+  return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
 }
 
 std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& failures)
@@ -278,7 +290,11 @@ Index Passes::CountRolledBack() const
 
 void Passes::Run(Monitor& monitor, DeviationResult& result)
 {
-  const auto meanQuality = [this] { return this->Guard.GetAdmittedQuality().mean(); };
+  const auto meanQuality = [this]
+  {
+    const Vector& quality = this->Guard.GetAdmittedQuality();
+    return quality.size() > 0 ? quality.mean() : 0;
+  };
   const int passes = this->Options.deviation.passes;
   try
   {
@@ -289,7 +305,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       result.iterations += solution.iterations;
       result.relativeResidual = solution.relativeResidual;
       const double before = meanQuality();
-      if (!this->Settle(solution.displacement, LeastQuality(pass), monitor))
+      if (!this->Settle(
+            solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
       {
         break;
       }
@@ -314,7 +331,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
   }
   result.positions = this->Guard.GetAdmitted();
   const double diagonal = this->Mesh.GetDiagonal();
-  result.report.relativeBound = diagonal > 0 ? this->Guard.GetBound() / diagonal : 0;
+  const double bound = this->Guard.GetBound();
+  result.report.relativeBound = bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
   result.positionWeights = std::move(this->Problem.positionWeights);
   result.laplacianWeights = std::move(this->Problem.laplacianWeights);
 }

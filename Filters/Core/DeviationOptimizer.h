@@ -31,9 +31,9 @@ struct DeviationResult
 
 /// The best triangles within an error: passes of Eqn. 11 with f = n n^T L_u V, in which every
 /// vertex keeps its tangent plane, or its feature line, exactly; after each a guard takes back,
-/// vertex by vertex, as much of the motion as leaves the error or spoils a triangle. \param
-/// features lines along which vertices slide \param motion FIXED, ALONG_LINE or FREE, which here is
-/// in the tangent plane
+/// vertex by vertex, as much of the motion as leaves the error or spoils a triangle.
+/// \param features lines along which vertices slide
+/// \param motion FIXED, ALONG_LINE or FREE, which here is in the tangent plane
 DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptions& options,
   const FeatureLines& features, const MotionConstraints& motion, Monitor& monitor);
 }

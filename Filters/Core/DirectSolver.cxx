@@ -32,7 +32,8 @@ using Factorisation = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering
 }
 
 /// A vertex with n neighbours makes a full block of n x n entries: with ten thousand neighbours
-/// more than the memory of most machines holds. \throw SolverError if the entries are too many.
+/// more than the memory of most machines holds.
+/// \throw SolverError if the entries are too many.
 void CheckDensity(const LeastSquaresProblem& problem)
 {
   constexpr double entriesPerVertex = 500;

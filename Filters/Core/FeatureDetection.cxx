@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace lmo
 {
@@ -60,6 +61,10 @@ struct EdgeTriangles
 
   EdgeTriangles(const Triangles& T, const MeshTopology& topology, Index i, Index j)
   {
+    if (topology.cornersAt.Size(i) > topology.cornersAt.Size(j))
+    {
+      std::swap(i, j);
+    }
     Index ahead = 0;
     for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
     {

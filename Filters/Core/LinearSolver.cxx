@@ -73,6 +73,21 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
   return 11 * problem.Size() / sum;
 }
 
+/// A vertex with thousands of neighbours, which makes the products of the multigrid's matrices
+/// dense.
+bool HasHub(const LeastSquaresProblem& problem)
+{
+  constexpr Index largestRing = 1000;
+  for (Index i = 0; i < problem.Size(); ++i)
+  {
+    if (problem.L.rings->Size(i) > largestRing)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
 /// \throw SolverError if K + R is singular to double precision.
 void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
@@ -90,9 +105,12 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   }
   monitor.Report(0);
   const auto matrix = std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness());
-  Iterate(A,
-    SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix, monitor)),
-    options, AffordableMultigridIterations, monitor, solution);
+  if (!HasHub(problem))
+  {
+    Iterate(A,
+      SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix, monitor)),
+      options, AffordableMultigridIterations, monitor, solution);
+  }
   if (IsFinished(solution, options))
   {
     return;

@@ -7,6 +7,9 @@
 
 namespace lmo
 {
+/// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
+constexpr Index LargestStar = 100;
+
 /// For each vertex a list of ids, all lists in one array (compressed rows).
 struct AdjacencyLists
 {
@@ -29,6 +32,8 @@ struct MeshTopology
   AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one triangle with each
   Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
   Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere
+
+  bool IsHub(Index i) const { return this->cornersAt.Size(i) > LargestStar; }
 
   /// At least one triangle, and no edge with exactly one.
   bool IsClosed() const;

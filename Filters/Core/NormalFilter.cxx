@@ -12,25 +12,30 @@ namespace lmo
 {
 namespace
 {
-/// Calls visit(neighbour) once for each triangle that shares a vertex with t, t itself included.
+/// Calls visit(neighbour) once for each triangle that shares a vertex with t that is no hub.
 template <typename Visit>
 void ForEachAround(
-  const Triangles& triangles, const AdjacencyLists& cornersAt, Index t, const Visit& visit)
+  const Triangles& triangles, const MeshTopology& topology, Index t, const Visit& visit)
 {
+  const AdjacencyLists& cornersAt = topology.cornersAt;
+  const auto isNear = [&](Index neighbour, Index i)
+  {
+    return !topology.IsHub(i) && (triangles(neighbour, 0) == i || triangles(neighbour, 1) == i ||
+                                   triangles(neighbour, 2) == i);
+  };
   for (int k = 0; k < 3; ++k)
   {
     const Index i = triangles(t, k);
+    if (topology.IsHub(i))
+    {
+      continue;
+    }
     for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
     {
       const Index neighbour = *corner / 3;
-      bool isFirst = true;
-      for (int before = 0; before < k; ++before)
-      {
-        const Index j = triangles(t, before);
-        isFirst = isFirst && triangles(neighbour, 0) != j && triangles(neighbour, 1) != j &&
-                  triangles(neighbour, 2) != j;
-      }
-      if (isFirst)
+      const bool isVisited = (k > 0 && isNear(neighbour, triangles(t, 0))) ||
+                             (k > 1 && isNear(neighbour, triangles(t, 1)));
+      if (neighbour != t && !isVisited)
       {
         visit(neighbour);
       }
@@ -40,20 +45,17 @@ void ForEachAround(
 
 /// Mean distance of the centroids of neighbours.
 double MeanDistance(
-  const Points& centroids, const Triangles& triangles, const AdjacencyLists& cornersAt)
+  const Points& centroids, const Triangles& triangles, const MeshTopology& topology)
 {
   const Eigen::Array2d sum =
     ParallelSum(static_cast<Index>(triangles.rows()), Eigen::Array2d(Eigen::Array2d::Zero()),
       [&](Eigen::Array2d& partial, Index t)
       {
-        ForEachAround(triangles, cornersAt, t,
+        ForEachAround(triangles, topology, t,
           [&](Index neighbour)
           {
-            if (neighbour != t)
-            {
-              partial[0] += (centroids.row(neighbour) - centroids.row(t)).norm();
-              partial[1] += 1;
-            }
+            partial[0] += (centroids.row(neighbour) - centroids.row(t)).norm();
+            partial[1] += 1;
           });
       });
   return sum[1] > 0 ? sum[0] / sum[1] : 0;
@@ -61,7 +63,7 @@ double MeanDistance(
 }
 
 Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  int iterations, double width)
+  int iterations, double width, Monitor& monitor)
 {
   const auto count = static_cast<Index>(triangles.rows());
   Points centroids(count, 3);
@@ -76,23 +78,22 @@ Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopo
       normals.row(t) = normal.stableNormalized();
       areas[t] = 0.5 * normal.norm();
     });
-  const AdjacencyLists& cornersAt = topology.cornersAt;
-  const double distance = MeanDistance(centroids, triangles, cornersAt);
+  const double distance = MeanDistance(centroids, triangles, topology);
   const double nearness = distance > 0 ? 0.5 / (distance * distance) : 0;
-  const double likeness = 0.5 / (width * width);
   Points filtered(count, 3);
   for (int iteration = 0; iteration < iterations; ++iteration)
   {
+    monitor.Report(double(iteration) / iterations);
     ParallelFor(count,
       [&](Index t)
       {
-        Vector3 sum = Vector3::Zero();
-        ForEachAround(triangles, cornersAt, t,
+        Vector3 sum = areas[t] * normals.row(t);
+        ForEachAround(triangles, topology, t,
           [&](Index neighbour)
           {
             const double exponent =
               nearness * (centroids.row(neighbour) - centroids.row(t)).squaredNorm() +
-              likeness * (normals.row(neighbour) - normals.row(t)).squaredNorm();
+              0.5 * ((normals.row(neighbour) - normals.row(t)) / width).squaredNorm();
             sum += areas[neighbour] * std::exp(-exponent) * normals.row(neighbour);
           });
         filtered.row(t) = sum.stableNormalized();

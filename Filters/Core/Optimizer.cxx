@@ -6,6 +6,7 @@
 #include "NormalFilter.h"
 #include "Parallel.h"
 #include "ProblemSetup.h"
+#include "Rounding.h"
 #include "TriangleGeometry.h"
 #include "VolumePreservation.h"
 
@@ -53,7 +54,7 @@ void SetDisplacements(const Points& V, const OptimizerOptions& options, Optimize
       Vector3 position = result.positions.row(i);
       if (options.roundToFloat)
       {
-        position = position.cast<float>().cast<double>();
+        position = RoundToFloat(position);
         result.positions.row(i) = position;
       }
       result.displacements.row(i) = position - V.row(i);
@@ -179,7 +180,7 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   const Points& V = mesh.GetPoints();
   const MeshTopology& topology = mesh.GetTopology();
   const Points normals = FilterNormals(result.positions, mesh.GetTriangles(), topology,
-    options.guide.normalIterations, options.guide.normalWidth);
+    options.guide.normalIterations, options.guide.normalWidth, monitor);
   monitor.Begin("Following normals");
   const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
   const Solution solution = FollowNormals(V, mesh.GetTriangles(), topology, normals, problem.L,

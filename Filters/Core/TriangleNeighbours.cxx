@@ -8,19 +8,24 @@ namespace lmo
 {
 namespace
 {
-/// The only corner at vertex i whose triangle has the edge from i to j, else NoNeighbour.
-Index CornerBefore(const Triangles& triangles, const AdjacencyLists& cornersAt, Index i, Index j)
+/// The only triangle that runs along the edge from vertex i to j, else NoNeighbour; sought at the
+/// vertex with fewer triangles.
+Index TriangleAlong(const Triangles& triangles, const AdjacencyLists& cornersAt, Index i, Index j)
 {
+  const bool isAtStart = cornersAt.Size(i) <= cornersAt.Size(j);
+  const Index pivot = isAtStart ? i : j;
+  const Index other = isAtStart ? j : i;
   Index found = NoNeighbour;
-  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  for (const Index* corner = cornersAt.Begin(pivot); corner != cornersAt.End(pivot); ++corner)
   {
-    if (triangles.data()[NextCorner(*corner)] == j)
+    const Index beside = isAtStart ? NextCorner(*corner) : PreviousCorner(*corner);
+    if (triangles.data()[beside] == other)
     {
       if (found != NoNeighbour)
       {
         return NoNeighbour;
       }
-      found = *corner;
+      found = *corner / 3;
     }
   }
   return found;
@@ -37,10 +42,9 @@ Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology&
       {
         const Index from = triangles(t, k);
         const Index to = triangles(t, (k + 1) % 3);
-        const Index here = CornerBefore(triangles, topology.cornersAt, from, to);
-        const Index there = CornerBefore(triangles, topology.cornersAt, to, from);
-        const bool isSingle = here != NoNeighbour && there != NoNeighbour;
-        neighbours(t, k) = isSingle ? there / 3 : NoNeighbour;
+        const Index here = TriangleAlong(triangles, topology.cornersAt, from, to);
+        const Index there = TriangleAlong(triangles, topology.cornersAt, to, from);
+        neighbours(t, k) = here == NoNeighbour ? NoNeighbour : there;
       }
     });
   return neighbours;

@@ -123,6 +123,10 @@ private:
       return { axis, -axis };
     }
     const Vector3 normal = VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
+    if (normal.isZero(0))
+    {
+      return {};
+    }
     const Vector3 u = normal.unitOrthogonal();
     const Vector3 v = normal.cross(u);
     std::vector<Vector3> directions;
@@ -161,7 +165,7 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED || this->Topology.IsHub(vertex))
     {
       return false;
     }

@@ -58,8 +58,7 @@ protected:
   vtkPLaplacianMeshOptimizer();
   ~vtkPLaplacianMeshOptimizer() override;
 
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   std::unique_ptr<Engine> MakeEngine() override;
 

@@ -22,8 +22,8 @@ struct CellTriangles
 /// Cuts polygons with n corners, which may be concave, into n - 2 triangles: quads along the
 /// diagonal that is inside, the shorter one if both are; larger polygons ear by ear, those with the
 /// smallest ratio of squared perimeter to area first (vtkPolygon); as a fan around the first corner
-/// where that fails, as for polygons without area. \param polygons three corners or more each, with
-/// ids of \a points
+/// where that fails, as for polygons without area.
+/// \param polygons three corners or more each, with ids of \a points
 CellTriangles TriangulatePolygons(vtkCellArray* polygons, vtkPoints* points);
 
 /// Takes triangle strips apart.

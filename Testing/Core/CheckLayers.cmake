@@ -6,6 +6,7 @@
 set(layers
   Types
   Exceptions
+  Rounding
   Monitor
   RunAside
   ThreadTeam

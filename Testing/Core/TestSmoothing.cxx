@@ -140,7 +140,8 @@ void CheckNormalFilter(Checks& c)
 {
   const TestMesh pyramid = DoublePyramid(3);
   const MeshTopology topology = BuildTopology(static_cast<Index>(pyramid.V.rows()), pyramid.T);
-  const Points filtered = FilterNormals(pyramid.V, pyramid.T, topology, 5, 0.25);
+  Monitor monitor;
+  const Points filtered = FilterNormals(pyramid.V, pyramid.T, topology, 5, 0.25, monitor);
   double error = 0;
   for (Index t = 0; t < pyramid.T.rows(); ++t)
   {

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 using namespace lmo;
 
@@ -25,6 +26,23 @@ double LargestWeightOf(vtkLaplacianMeshOptimizer* filter, vtkPolyData* input)
   const double largest = std::max(1.0, filter->GetScaleFactor());
   const Eigen::MatrixXd weights = PointValues(input, "Weights");
   return weights.size() > 0 ? std::max(largest, weights.maxCoeff()) : largest;
+}
+
+/// Of OPTIMIZE_WITHIN_DEVIATION.
+std::string FaultOfLimits(vtkLaplacianMeshOptimizer* filter)
+{
+  std::ostringstream text;
+  if (!(filter->GetRelativeHausdorffBound() <= filter->GetMaximumDeviation()))
+  {
+    text << "a deviation of up to " << filter->GetRelativeHausdorffBound() << " instead of "
+         << filter->GetMaximumDeviation();
+  }
+  else if (!(filter->GetMinimumRadiusRatio() >= filter->GetInputMinimumRadiusRatio()))
+  {
+    text << "a radius ratio of " << filter->GetMinimumRadiusRatio() << " instead of at least "
+         << filter->GetInputMinimumRadiusRatio();
+  }
+  return text.str();
 }
 }
 
@@ -64,7 +82,8 @@ std::string FaultOfResult(vtkLaplacianMeshOptimizer* filter, const Messages& mes
   }
   vtkPolyData* input = vtkPolyData::SafeDownCast(filter->GetInput());
   vtkPolyData* output = filter->GetOutput();
-  const double largestWeight = LargestWeightOf(filter, input);
+  const bool hasPasses = filter->GetMode() == vtkLaplacianMeshOptimizer::OPTIMIZE_WITHIN_DEVIATION;
+  const double largestWeight = hasPasses ? 1e40 : LargestWeightOf(filter, input);
   if (!IsWithin(PointValues(output, "PositionWeight"), 0, largestWeight) ||
       !IsWithin(PointValues(output, "LaplacianWeight"), 0, largestWeight) ||
       !IsWithin(PointValues(output, "RadiusRatio"), -1, 1) ||
@@ -78,7 +97,16 @@ std::string FaultOfResult(vtkLaplacianMeshOptimizer* filter, const Messages& mes
   {
     return "the figures do not fit the points";
   }
-  const bool isSolved = filter->GetRelativeResidual() <= filter->GetTolerance();
+  if (hasPasses)
+  {
+    const std::string limit = FaultOfLimits(filter);
+    if (!limit.empty())
+    {
+      return limit;
+    }
+  }
+  // The passes correct each other, and the bound above is what counts.
+  const bool isSolved = hasPasses || filter->GetRelativeResidual() <= filter->GetTolerance();
   return isSolved == messages.warnings.empty() ? "" : "warning: '" + messages.warnings + "'";
 }
 

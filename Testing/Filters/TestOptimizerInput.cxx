@@ -21,12 +21,16 @@ namespace
 void CheckPointTypes(Checks& c)
 {
   const TestMesh sphere = Irregular(Icosphere(2), 0.05);
-  const auto fromFloat = Optimized(MakePolyData(sphere, VTK_FLOAT));
+  const auto input = MakePolyData(sphere, VTK_FLOAT);
+  const auto fromFloat = Optimized(input);
   const auto fromDouble = Optimized(MakePolyData(sphere, VTK_DOUBLE));
   c.True("float points stay float", fromFloat->GetPoints()->GetDataType() == VTK_FLOAT);
   c.True("double points stay double", fromDouble->GetPoints()->GetDataType() == VTK_DOUBLE);
   c.Error("float and double points give the same result",
     MaximumDistance(PointsOf(fromFloat), PointsOf(fromDouble)), 1e-5);
+  c.Error("displacements are those of the float points",
+    MaximumDistance(PointValues(fromFloat, "Displacement"), PointsOf(fromFloat) - PointsOf(input)),
+    0);
   c.True("points move", MaximumDistance(PointsOf(fromDouble), sphere.V) > 0.01);
 }
 

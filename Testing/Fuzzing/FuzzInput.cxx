@@ -124,6 +124,31 @@ vtkSmartPointer<vtkPolyData> MakeFuzzMesh(FuzzBytes& bytes)
   return mesh;
 }
 
+namespace
+{
+/// The modes with several steps and what belongs to them; off when the bytes are used up.
+void SetUpSteps(vtkLaplacianMeshOptimizer* filter, FuzzBytes& bytes)
+{
+  const int mode = bytes.Take(8);
+  if (mode > 4)
+  {
+    filter->SetMode(mode == 7 ? vtkLaplacianMeshOptimizer::SMOOTH_GUIDED
+                              : vtkLaplacianMeshOptimizer::OPTIMIZE_WITHIN_DEVIATION);
+  }
+  filter->SetMaximumDeviation(std::pow(10.0, -bytes.Take(16)));
+  filter->SetNumberOfPasses(1 + bytes.Take(8));
+  filter->SetImproveWorstTriangles(bytes.Take(2));
+  filter->SetFeatureConstraints(bytes.Take(2));
+  filter->SetDetectFeatures(bytes.Take(2));
+  filter->SetFeatureAngle(bytes.Take(182));
+  filter->SetNormalIterations(bytes.Take(32));
+  filter->SetNormalWidth(std::abs(bytes.Number()));
+  filter->SetDetailWeight(std::abs(bytes.Number()));
+  filter->SetPreserveVolume(bytes.Take(2));
+  filter->SetTwicing(bytes.Take(2));
+}
+}
+
 void SetUp(vtkLaplacianMeshOptimizer* filter, FuzzBytes& bytes)
 {
   // One of many values is out of range.
@@ -159,4 +184,9 @@ void SetUp(vtkLaplacianMeshOptimizer* filter, FuzzBytes& bytes)
   {
     choose(vtkLaplacianMeshOptimizer::FIXED_POINT_ARRAY, "Weights");
   }
+  if (bytes.Take(4) == 1)
+  {
+    choose(vtkLaplacianMeshOptimizer::FEATURE_ARRAY, "Weights");
+  }
+  SetUpSteps(filter, bytes);
 }
