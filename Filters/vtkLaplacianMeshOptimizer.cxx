@@ -272,7 +272,11 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
-  if (!result.isCancelled)
+  if (result.isCancelled)
+  {
+    lmo::KeepOutput(this->Filter);
+  }
+  else
   {
     monitor->Begin("Writing the result");
   }

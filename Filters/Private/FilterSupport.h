@@ -29,6 +29,16 @@ inline bool IsAborted(vtkAlgorithm* filter)
 #endif
 }
 
+/// Keeps the output of a filter that was asked to stop, which VTK would empty otherwise.
+inline void KeepOutput(vtkAlgorithm* filter)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220000)
+  filter->SetAbortOutput(false);
+#else
+  static_cast<void>(filter);
+#endif
+}
+
 /// Passes progress to a filter's observers, and their wish to stop back.
 class FilterMonitor : public Monitor
 {

@@ -95,6 +95,25 @@ void CheckAbort(Checks& c)
   }
 }
 
+void CheckAbortWithinDeviation(Checks& c)
+{
+  vtkNew<Optimizer> filter;
+  SetUp(filter);
+  filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
+  filter->SetMaximumDeviation(0.01);
+  vtkNew<ProgressObserver> observer;
+  observer->AbortAt = 0.5;
+  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  c.True("an abort within a deviation is no error", Update(filter).errors.empty());
+  c.True("an abort within a deviation leaves the mesh so far",
+    filter->GetOutput()->GetNumberOfPoints() == 642 && filter->GetPasses() > 0 &&
+      filter->GetPasses() < filter->GetNumberOfPasses());
+  c.Error("the mesh so far has its bound", filter->GetRelativeHausdorffBound(),
+    filter->GetMaximumDeviation());
+  c.True("the mesh so far is better than the input",
+    filter->GetMeanRadiusRatio() > filter->GetInputMeanRadiusRatio());
+}
+
 void CheckTolerance(Checks& c)
 {
   vtkNew<Optimizer> filter;
@@ -127,6 +146,7 @@ int TestOptimizerProgress(int, char*[])
   Checks c;
   CheckProgress(c);
   CheckAbort(c);
+  CheckAbortWithinDeviation(c);
   CheckTolerance(c);
   return c.Result();
 }
