@@ -95,6 +95,12 @@ TriangleTree::Box TriangleTree::LeafBox(Index leaf) const
   return box;
 }
 
+void TriangleTree::Merge(Index node)
+{
+  const Box* children = this->Boxes.data() + 2 * std::ptrdiff_t(node);
+  this->Boxes[node] = children[0].merged(children[1]);
+}
+
 void TriangleTree::Refit(const std::vector<Index>& triangles)
 {
   for (const Index t : triangles)
@@ -105,7 +111,7 @@ void TriangleTree::Refit(const std::vector<Index>& triangles)
       this->Boxes[node] = this->LeafBox(this->LeafOf[t]);
       for (node /= 2; node > 0; node /= 2)
       {
-        this->Boxes[node] = this->Boxes[2 * node].merged(this->Boxes[2 * node + 1]);
+        this->Merge(node);
       }
     }
   }
@@ -122,12 +128,7 @@ void TriangleTree::Refit()
     this->Leaves, [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
   for (Index level = this->Leaves / 2; level > 0; level /= 2)
   {
-    ParallelFor(level,
-      [&](Index k)
-      {
-        const std::size_t node = level + k;
-        this->Boxes[node] = this->Boxes[2 * node].merged(this->Boxes[2 * node + 1]);
-      });
+    ParallelFor(level, [&](Index k) { this->Merge(level + k); });
   }
 }
 
@@ -175,8 +176,9 @@ TriangleTree::Hit TriangleTree::FindClosest(const Vector3& x, double radius, Ind
       }
       continue;
     }
-    const double left = this->Boxes[2 * node].squaredExteriorDistance(centre);
-    const double right = this->Boxes[2 * node + 1].squaredExteriorDistance(centre);
+    const Box* children = this->Boxes.data() + 2 * std::ptrdiff_t(node);
+    const double left = children[0].squaredExteriorDistance(centre);
+    const double right = children[1].squaredExteriorDistance(centre);
     const bool isLeftNearer = left <= right;
     stack[size++] = { 2 * node + isLeftNearer, std::max(left, right) };
     stack[size++] = { 2 * node + !isLeftNearer, std::min(left, right) };

@@ -54,6 +54,10 @@ private:
   void Sort(Index firstLeaf, Index leaves);
 
   Box LeafBox(Index leaf) const;
+
+  /// Sets the box of a node to that of its children's.
+  void Merge(Index node);
+
   void Try(Index triangle, const Vector3& x, Hit& best) const;
 
   const Points& V;
