@@ -308,6 +308,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   this->Move(vertex, position);
   this->UpdateShapes(changed);
   std::vector<DistanceProofs::Proof> proofs;
+  proofs.reserve(changed.size());
   for (const Index t : changed)
   {
     proofs.push_back(this->ToOriginal.Get(t));

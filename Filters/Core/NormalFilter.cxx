@@ -79,6 +79,7 @@ Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopo
       areas[t] = 0.5 * normal.norm();
     });
   const double distance = MeanDistance(centroids, triangles, topology);
+  const double likeness = 0.5 / std::max(width * width, 1e-300); // finite
   const double nearness = distance > 0 ? 0.5 / (distance * distance) : 0;
   Points filtered(count, 3);
   for (int iteration = 0; iteration < iterations; ++iteration)
@@ -93,7 +94,7 @@ Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopo
           {
             const double exponent =
               nearness * (centroids.row(neighbour) - centroids.row(t)).squaredNorm() +
-              0.5 * ((normals.row(neighbour) - normals.row(t)) / width).squaredNorm();
+              likeness * (normals.row(neighbour) - normals.row(t)).squaredNorm();
             sum += areas[neighbour] * std::exp(-exponent) * normals.row(neighbour);
           });
         filtered.row(t) = sum.stableNormalized();

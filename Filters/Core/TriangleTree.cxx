@@ -15,6 +15,9 @@ namespace
 {
 constexpr Index TrianglesPerLeaf = 4;
 constexpr Index ParallelSubtrees = 16;
+
+/// In terms of the radius. Where thousands of triangles meet, all are equally close.
+constexpr double NegligibleDistance = 1e-3;
 }
 
 TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
@@ -152,6 +155,7 @@ void TriangleTree::Try(Index triangle, const Vector3& x, Hit& best) const
 TriangleTree::Hit TriangleTree::FindClosest(const Vector3& x, double radius, Index hint) const
 {
   Hit best{ -1, radius * radius };
+  const double closeEnough = NegligibleDistance * NegligibleDistance * best.squaredDistance;
   if (hint >= 0)
   {
     this->Try(hint, x, best);
@@ -160,7 +164,7 @@ TriangleTree::Hit TriangleTree::FindClosest(const Vector3& x, double radius, Ind
   std::pair<Index, double> stack[64];
   int size = 0;
   stack[size++] = { 1, this->Boxes[1].squaredExteriorDistance(centre) };
-  while (size > 0)
+  while (size > 0 && !(best.triangle >= 0 && best.squaredDistance <= closeEnough))
   {
     const auto [node, distance] = stack[--size];
     if (!(distance <= best.squaredDistance))

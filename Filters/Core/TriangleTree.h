@@ -32,7 +32,8 @@ public:
   /// The same if only these triangles have moved.
   void Refit(const std::vector<Index>& triangles);
 
-  /// The triangle closest to x, if its distance is at most \a radius.
+  /// The triangle closest to x, if its distance is at most \a radius; any one whose distance is at
+  /// most a thousandth of that.
   /// \param hint a triangle that is perhaps close, or -1
   Hit FindClosest(const Vector3& x, double radius, Index hint = -1) const;
 

@@ -4,6 +4,7 @@
 // Properties of the solution on thousands of small meshes made from seeds. A failing property names
 // the seed, which alone repeats it:  lmoCoreTests TestRandomMeshes SEED
 #include "Checks.h"
+#include "RandomMeshes.h"
 #include "TestMeasures.h"
 #include "TestOperators.h"
 
@@ -20,33 +21,6 @@ using namespace lmo;
 
 namespace
 {
-/// Choices from a seed, the same with every standard library.
-class Seeded
-{
-public:
-  explicit Seeded(unsigned seed)
-    : Engine(seed)
-  {
-  }
-
-  /// 0 to \a count - 1.
-  int Take(int count) { return static_cast<int>(this->Engine() % unsigned(count)); }
-
-  /// \a least to \a most.
-  double Number(double least, double most)
-  {
-    return least + (most - least) * (this->Engine() / 4294967295.0);
-  }
-
-  Points Vectors(Eigen::Index rows)
-  {
-    return Points::NullaryExpr(rows, 3, [this] { return this->Number(-1, 1); });
-  }
-
-private:
-  std::mt19937 Engine;
-};
-
 struct Sample
 {
   TestMesh mesh;
@@ -54,38 +28,11 @@ struct Sample
   OptimizerOptions options;
 };
 
-/// A mesh of any kind, its points moved so that no two curvatures are equal but for round-off, some
-/// triangles doubled, reversed or put elsewhere.
-TestMesh MakeMesh(Seeded& seeded)
-{
-  const auto meshes = AllTestMeshes();
-  TestMesh mesh = meshes[seeded.Take(static_cast<int>(meshes.size()))].second;
-  const double amplitude = (1 + seeded.Take(3)) * 0.05;
-  mesh.V += amplitude * seeded.Vectors(mesh.V.rows());
-  const auto anyTriangle = [&] { return seeded.Take(static_cast<int>(mesh.T.rows())); };
-  for (int fault = seeded.Take(4); fault > 0; --fault)
-  {
-    const Index t = anyTriangle();
-    switch (seeded.Take(3))
-    {
-      case 0:
-        mesh.T.row(t) = mesh.T.row(anyTriangle());
-        break;
-      case 1:
-        mesh.T.row(t).reverseInPlace();
-        break;
-      default:
-        mesh.T(t, 0) = seeded.Take(static_cast<int>(mesh.V.rows()));
-    }
-  }
-  return mesh;
-}
-
 Sample MakeSample(unsigned seed)
 {
   Seeded seeded(seed);
   Sample sample;
-  sample.mesh = MakeMesh(seeded);
+  sample.mesh = MakeRandomMesh(seeded);
   const Eigen::Index n = sample.mesh.V.rows();
   sample.arrays.positionWeights = seeded.Vectors(n).col(0).cwiseAbs().array() + 0.01;
   sample.arrays.laplacianWeights = seeded.Vectors(n).col(0).cwiseAbs();
@@ -115,20 +62,6 @@ LeastSquaresProblem ProblemOf(const Sample& sample)
   return SetUpProblem(
     mesh, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
 }
-
-/// Faults of one seed, an empty list if there are none.
-class Findings
-{
-public:
-  void AddIf(bool isFault, const std::string& what)
-  {
-    if (isFault)
-    {
-      this->Text += " " + what + ";";
-    }
-  }
-  std::string Text;
-};
 
 double EnergyOf(const Sample& sample, const LeastSquaresProblem& problem, const Points& positions)
 {
@@ -234,24 +167,5 @@ std::string FaultsOf(unsigned seed)
 
 int TestRandomMeshes(int argc, char* argv[])
 {
-  const unsigned first = argc > 1 ? static_cast<unsigned>(std::atoi(argv[1])) : 1;
-  const unsigned last = argc > 1 ? first : 3000;
-  Checks c;
-  for (unsigned seed = first; seed <= last; ++seed)
-  {
-    std::string faults;
-    try
-    {
-      faults = FaultsOf(seed);
-    }
-    catch (const std::exception& error)
-    {
-      faults = error.what();
-    }
-    if (!faults.empty() || seed == last)
-    {
-      c.True("seed " + std::to_string(seed) + ":" + faults, faults.empty());
-    }
-  }
-  return c.Result();
+  return CheckSeeds(argc, argv, 3000, FaultsOf);
 }
