@@ -10,6 +10,8 @@ Wavelet source is taken.
                              cad-model     better triangles, sharp edges stay
                              denoise       remove noise from smooth shapes
                              denoise-cad   remove noise, sharp edges stay
+  --max-deviation NUMBER   the best triangles that leave the surface by no more than this fraction of
+                           the bounding box's diagonal, which is proved; in place of a preset
   --mode NAME              triangles, smooth
   --laplacian NAME         uniform, cotangent, mean-curvature (for smooth)
   --position-weights NAME  constant, linear, cdf: how points are held where they were
@@ -62,7 +64,9 @@ CHOICES = {
 def parse_arguments():
     parser = argparse.ArgumentParser(prog='optimize.sh', usage=__doc__.split('usage: ')[1])
     parser.add_argument('mesh', nargs='?')
-    parser.add_argument('--preset', choices=PRESETS, default='smooth-model')
+    job = parser.add_mutually_exclusive_group()
+    job.add_argument('--preset', choices=PRESETS, default='smooth-model')
+    job.add_argument('--max-deviation', dest='MaximumDeviation', type=float)
     for name, (flag, values) in CHOICES.items():
         parser.add_argument(flag, dest=name, choices=values)
     parser.add_argument('--scale', dest='ScaleFactor', type=float)
@@ -76,6 +80,9 @@ def parse_arguments():
 def chosen_properties(arguments):
     """The properties that differ from the preset."""
     properties = {}
+    if arguments.MaximumDeviation is not None:
+        properties = {'Mode': 'Optimize Within Deviation',
+                      'MaximumDeviation': arguments.MaximumDeviation}
     for name, (_, values) in CHOICES.items():
         if getattr(arguments, name):
             properties[name] = values[getattr(arguments, name)]
@@ -95,6 +102,8 @@ def open_mesh(path):
 
 def report(optimizer, surface, seconds):
     mesh = servermanager.Fetch(optimizer)
+    if not mesh.GetFieldData().HasArray('MeanRadiusRatio'):
+        raise SystemExit('optimize: the filter failed; its message is above')
     deviation = SurfaceDeviation(Input=optimizer, Reference=surface)
     distance = servermanager.Fetch(deviation).GetFieldData().GetArray('RelativeHausdorffDistance')
 
@@ -115,6 +124,8 @@ def report(optimizer, surface, seconds):
           % (100 * share_of_bad('InputRadiusRatio'), 100 * share_of_bad('RadiusRatio')))
     print('maximum displacement     %8.5f of the diagonal' % figure('RelativeMaximumDisplacement'))
     print('Hausdorff distance       %8.5f of the diagonal' % distance.GetValue(0))
+    if figure('RelativeHausdorffBound') > 0:
+        print('  proved to be at most   %8.5f' % figure('RelativeHausdorffBound'))
     print('volume change            %+7.3f%% (0 if the surface is open)'
           % (100 * figure('RelativeVolumeChange')))
     print('flipped triangles        %8d' % figure('FlippedTriangles'))
