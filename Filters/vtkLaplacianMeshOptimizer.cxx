@@ -24,7 +24,6 @@
 #include <cstring>
 #include <sstream>
 #include <utility>
-#include <vector>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -333,7 +332,7 @@ void vtkLaplacianMeshOptimizer::Internals::SetFigures(const lmo::OptimizerResult
 void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  std::vector<std::pair<const char*, double>> figures = {
+  const std::pair<const char*, double> figures[] = {
     { "MeanRadiusRatio", filter.MeanRadiusRatio },
     { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
     { "InputMeanRadiusRatio", filter.InputMeanRadiusRatio },
@@ -344,13 +343,10 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData)
     { "FlippedTriangles", double(filter.FlippedTriangles) },
     { "Iterations", double(filter.Iterations) },
     { "RelativeResidual", filter.RelativeResidual },
+    { "RelativeHausdorffBound", filter.RelativeHausdorffBound },
+    { "Passes", double(filter.Passes) },
+    { "RolledBackPoints", double(filter.RolledBackPoints) },
   };
-  if (filter.Mode == OPTIMIZE_WITHIN_DEVIATION)
-  {
-    figures.insert(figures.end(), { { "RelativeHausdorffBound", filter.RelativeHausdorffBound },
-                                    { "Passes", double(filter.Passes) },
-                                    { "RolledBackPoints", double(filter.RolledBackPoints) } });
-  }
   for (const auto& [name, value] : figures)
   {
     fieldData->AddArray(lmo::MakeArray(name, value));

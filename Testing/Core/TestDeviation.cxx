@@ -90,7 +90,8 @@ void CheckDistances(Checks& c)
   for (int k = 0; k < 200; ++k)
   {
     const Vector3 x(1.5 * random(), 1.5 * random(), 1.5 * random());
-    const double found = std::sqrt(tree.FindClosest(x, 10, k).squaredDistance);
+    const double radius = 10 * DistanceToSurface(x, mesh);
+    const double found = std::sqrt(tree.FindClosest(x, radius, k).squaredDistance);
     error = Larger(error, std::abs(found - DistanceToSurface(x, mesh)));
   }
   c.Error("the tree finds the distance that a search of all triangles finds", error, 1e-14);
