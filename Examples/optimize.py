@@ -74,7 +74,10 @@ def parse_arguments():
     parser.add_argument('--tangent-planes', dest='TangentPlaneConstraints', action='store_true')
     parser.add_argument('--output')
     parser.add_argument('--image')
-    return parser.parse_args()
+    arguments = parser.parse_args()
+    if arguments.MaximumDeviation is not None and arguments.Mode:
+        parser.error('--max-deviation is a mode of its own: leave out --mode')
+    return arguments
 
 
 def chosen_properties(arguments):

@@ -5,6 +5,7 @@ them."""
 import common
 import shapes
 from laplacianmesh import vtkLaplacianMeshOptimizer
+from vtkmodules.util.numpy_support import vtk_to_numpy
 
 arguments = common.parse_arguments(__doc__, feature_angle=40)
 part = common.read_mesh(arguments.mesh) if arguments.mesh else shapes.machine_part()
@@ -29,11 +30,13 @@ if arguments.picture:
 
     before = viewing.surface(part, edges=True)
     after = viewing.surface(better, "FeatureClass", (0, 2), viewing.CLASSES, edges=True)
+    is_corner = vtk_to_numpy(better.GetPointData().GetArray("FeatureClass")) == 2
+    corners = viewing.balls(shapes.points_of(better)[is_corner], 0.006 * better.GetLength())
     detail = {"direction": viewing.PART, "zoom": 3.2, "focus": (0.8, 0.15, 0.5)}
     viewing.save_picture(
         arguments.picture,
         [
             viewing.renderer([before], title="before", **detail),
-            viewing.renderer([after], title="after: edges orange, corners red", **detail),
+            viewing.renderer([after, corners], title="after: edges orange, corners red", **detail),
         ],
     )

@@ -21,24 +21,21 @@ for name in ("MeanCurvature", "GaussianCurvature"):
     values = vtk_to_numpy(curved.GetPointData().GetArray(name))
     low, middle, high = np.percentile(values, [5, 50, 95])
     limits[name] = max(-low, high)
-    print("%-18s median %10.4g, 90 %% of the points from %.4g to %.4g" % (name, middle, low, high))
+    print("%-18s median %8.4g, 90 %% of the points from %.4g to %.4g" % (name, middle, low, high))
 
 if arguments.output:
     common.write_mesh(arguments.output, curved)
 if arguments.picture:
     import viewing
 
-    mean, gaussian = limits["MeanCurvature"], limits["GaussianCurvature"]
+    limit = limits["MeanCurvature"]
+    mean = viewing.surface(curved, "MeanCurvature", (0, limit), viewing.MAGNITUDE)
+    limit = limits["GaussianCurvature"]
+    gaussian = viewing.surface(curved, "GaussianCurvature", (-limit, limit), viewing.SIGNED)
     viewing.save_picture(
         arguments.picture,
         [
-            viewing.renderer(
-                [viewing.surface(curved, "MeanCurvature", (0, mean), viewing.MAGNITUDE)],
-                title="mean curvature",
-            ),
-            viewing.renderer(
-                [viewing.surface(curved, "GaussianCurvature", (-gaussian, gaussian), viewing.SIGNED)],
-                title="Gaussian curvature",
-            ),
+            viewing.renderer([mean], title="mean curvature"),
+            viewing.renderer([gaussian], title="Gaussian curvature"),
         ],
     )

@@ -158,6 +158,9 @@ OUTLINE = np.array(
 FILLET = 4  # this corner and the next are joined by an arc
 
 
+TURN = np.radians(150)
+
+
 def machine_part(edge=0.04, jitter=0.25, seed=1):
     """A turned part, cut out along two planes: flat and curved faces, straight and curved edges.
 
@@ -165,44 +168,39 @@ def machine_part(edge=0.04, jitter=0.25, seed=1):
     within their faces and along their edges, / edge.
     """
     random = np.random.default_rng(seed)
-    outline, is_corner = divided_outline(edge)
-    rows = int(np.radians(150) * 1.1 / edge)
-    angle, place = np.meshgrid(np.arange(rows + 1.0), np.arange(float(len(outline))), indexing="ij")
-    angle[1:-1] += random.uniform(-jitter, jitter, angle[1:-1].shape)
-    place[:, ~is_corner] += random.uniform(-jitter, jitter, place[:, ~is_corner].shape)
-    r, z = (
-        np.interp(place, np.arange(len(outline) + 1), np.append(axis, axis[0])) for axis in outline.T
-    )
-    angle = np.radians(150) * angle / rows
-    turned = np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1)
-
-    ids = np.arange(angle.size).reshape(angle.shape)
-    ids = np.column_stack([ids, ids[:, 0]])
-    a, b, c, d = (ids[i, j].ravel() for i, j in SQUARE)
-    along_ac = random.random(len(a)) < 0.5
-    side = np.vstack(
+    r, z, angle, turned = turned_outline(edge, jitter, random)
+    start = cap(np.column_stack([r[0], z[0]]), edge, random)
+    end = cap(np.column_stack([r[-1], z[-1]]), edge, random)
+    return welded(
         [
-            np.where(along_ac, [a, b, c], [a, b, d]).T,
-            np.where(along_ac, [a, c, d], [b, c, d]).T,
+            (on_axis(r, z, angle), turned),
+            (on_axis(*start[0].T, 0), start[1]),
+            (on_axis(*end[0].T, TURN), end[1][:, ::-1]),
         ]
     )
-    caps = [cap(np.column_stack([r[row], z[row]]), edge, random) for row in (0, -1)]
-    parts = [(turned.reshape(-1, 3), side)]
-    for (plane_points, triangles), turn, order in zip(
-        caps, (0, np.radians(150)), (slice(None), slice(None, None, -1))
-    ):
-        radius, height = plane_points.T
-        points = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), height])
-        parts.append((points, triangles[:, order]))
-    return welded(parts)
 
 
-SQUARE = (
-    np.s_[:-1, :-1],
-    np.s_[1:, :-1],
-    np.s_[1:, 1:],
-    np.s_[:-1, 1:],
-)
+def on_axis(r, z, angle):
+    """Cylinder coordinates as points."""
+    return np.stack([r * np.cos(angle), r * np.sin(angle), z], axis=-1).reshape(-1, 3)
+
+
+def turned_outline(edge, jitter, random):
+    """r, z and angle of a grid of points, and its triangles; a row is an outline."""
+    outline, is_corner = divided_outline(edge)
+    rows = int(1.1 * TURN / edge)
+    row, place = np.indices((rows + 1, len(outline))).astype(float)
+    row[1:-1] += random.uniform(-jitter, jitter, row[1:-1].shape)
+    place[:, ~is_corner] += random.uniform(-jitter, jitter, place[:, ~is_corner].shape)
+    places = np.arange(len(outline) + 1)
+    r, z = (np.interp(place, places, np.append(axis, axis[0])) for axis in outline.T)
+
+    ids = np.arange(row.size).reshape(row.shape)
+    ids = np.column_stack([ids, ids[:, 0]])
+    a, b, c, d = ids[:-1, :-1], ids[1:, :-1], ids[1:, 1:], ids[:-1, 1:]
+    along_ac = random.random(a.shape) < 0.5
+    triangles = np.where(along_ac, [[a, b, c], [a, c, d]], [[a, b, d], [b, c, d]])
+    return r, z, TURN * row / rows, np.moveaxis(triangles, 1, -1).reshape(-1, 3)
 
 
 def divided_outline(edge):
@@ -212,8 +210,10 @@ def divided_outline(edge):
         end = OUTLINE[(k + 1) % len(OUTLINE)]
         t = np.linspace(0, 1, max(2, round(np.linalg.norm(end - start) / edge)), endpoint=False)
         if k == FILLET:
-            points.append(np.column_stack([end[0] + (start - end)[0] * np.cos(t * np.pi / 2),
-                                           start[1] + (end - start)[1] * np.sin(t * np.pi / 2)]))
+            turn = t * np.pi / 2
+            r = end[0] + (start - end)[0] * np.cos(turn)
+            z = start[1] + (end - start)[1] * np.sin(turn)
+            points.append(np.column_stack([r, z]))
         else:
             points.append(start + np.outer(t, end - start))
         is_corner.append(np.arange(len(t)) == 0)

@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import (
 
 QUALITY = (0.70, 0.05, 0.10), (1.00, 0.95, 0.70), (0.20, 0.40, 0.70)  # bad to good
 MAGNITUDE = (0.96, 0.96, 0.96), (0.95, 0.60, 0.25), (0.55, 0.05, 0.10)  # none to much
-CLASSES = (0.80, 0.82, 0.86), (0.95, 0.55, 0.10), (0.75, 0.05, 0.10)  # face, edge, corner
+CLASSES = (0.80, 0.82, 0.86), (0.95, 0.55, 0.10), (0.95, 0.55, 0.10)  # face, edge, corner
 SIGNED = (0.15, 0.30, 0.70), (0.96, 0.96, 0.96), (0.70, 0.10, 0.10)
 
 PART = (0.15, -1, 0.75)  # the direction from which shapes.machine_part() shows most
@@ -69,7 +69,7 @@ def balls(points, radius):
 def renderer(actors, direction=(1, -1, 0.5), zoom=1.4, focus=(0.5, 0.5, 0.5), title=""):
     """The actors seen from a direction, z upward.
 
-    focus: the middle of the picture in fractions of the bounding box; title: below, on the left.
+    focus: the middle of the picture in fractions of the bounding box; title: above, on the left.
     """
     view = vtkRenderer()
     view.SetBackground(1, 1, 1)
@@ -90,7 +90,8 @@ def renderer(actors, direction=(1, -1, 0.5), zoom=1.4, focus=(0.5, 0.5, 0.5), ti
     if title:
         text = vtkTextActor()
         text.SetInput(title)
-        text.SetPosition(10, 10)
+        text.GetPositionCoordinate().SetCoordinateSystemToNormalizedViewport()
+        text.SetPosition(0.02, 0.93)
         text.GetTextProperty().SetColor(0, 0, 0)
         text.GetTextProperty().SetFontSize(20)
         view.AddActor2D(text)
