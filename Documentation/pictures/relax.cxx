@@ -25,10 +25,9 @@ int main(int argc, char* argv[])
   {
     PMP::detect_sharp_edges(mesh, std::atof(argv[4]), isFeature);
   }
-  PMP::tangential_relaxation(mesh,
-    CGAL::parameters::number_of_iterations(std::atoi(argv[3]))
-      .edge_is_constrained_map(isFeature)
-      .relax_constraints(true));
+  PMP::tangential_relaxation(mesh, CGAL::parameters::number_of_iterations(std::atoi(argv[3]))
+                                     .edge_is_constrained_map(isFeature)
+                                     .relax_constraints(true));
   return CGAL::IO::write_OBJ(argv[2], mesh, CGAL::parameters::stream_precision(17)) ? EXIT_SUCCESS
-                                                                                   : EXIT_FAILURE;
+                                                                                    : EXIT_FAILURE;
 }
