@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+import tempfile
 
 import panels
 
@@ -18,8 +19,19 @@ EXAMPLES = (
     "curvature_plot",
 )
 
-for name in EXAMPLES:
-    script = os.path.join(panels.HERE, "..", "..", "Examples", "Python", name + ".py")
+FOLDER = os.path.join(panels.HERE, "..", "..", "Examples")
+
+
+def run(command, name, colors, width):
     picture = os.path.join(panels.IMAGES, name + ".png")
-    subprocess.run([sys.executable, script, "--picture", picture], check=True)
-    panels.shrink(picture, colors=64, width=800)
+    subprocess.run([*command, picture], check=True)
+    panels.shrink(picture, colors, width)
+
+
+for name in EXAMPLES:
+    script = os.path.join(FOLDER, "Python", name + ".py")
+    run([sys.executable, script, "--picture"], name, colors=64, width=800)
+with tempfile.TemporaryDirectory() as folder:
+    script = os.path.join(FOLDER, "optimize.py")
+    output = os.path.join(folder, "wavelet.vtp")
+    run(["pvpython", script, "--output", output, "--image"], "wavelet", colors=128, width=1200)

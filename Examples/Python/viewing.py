@@ -94,6 +94,8 @@ def renderer(actors, direction=(1, -1, 0.5), zoom=1.4, focus=(0.5, 0.5, 0.5), ti
         text.SetPosition(0.02, 0.93)
         text.GetTextProperty().SetColor(0, 0, 0)
         text.GetTextProperty().SetFontSize(20)
+        text.GetTextProperty().SetBackgroundColor(1, 1, 1)
+        text.GetTextProperty().SetBackgroundOpacity(0.7)
         view.AddActor2D(text)
     return view
 
