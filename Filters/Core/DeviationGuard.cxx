@@ -301,10 +301,8 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   }
   const std::vector<Index> changed = this->TrianglesAt({ vertex });
   const AdjacencyLists& rings = this->Topology.oneRings;
-  std::vector<Index> ring;
-  std::copy_if(rings.Begin(vertex), rings.End(vertex), std::back_inserter(ring),
-    [this](Index i) { return !this->Topology.IsHub(i); });
-  const std::vector<Index> neighbours = this->TrianglesAt(ring);
+  const std::vector<Index> neighbours =
+    this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
   this->Move(vertex, position);
   this->UpdateShapes(changed);
   std::vector<DistanceProofs::Proof> proofs;

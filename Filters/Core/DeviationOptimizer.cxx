@@ -67,6 +67,11 @@ private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
 
   void SetUp(const MotionConstraints& motion);
+
+  /// Hubs and their neighbours stay: thousands of triangles that meet in a point are close to each
+  /// other everywhere, and the guard would compare all of them.
+  void HoldHubs();
+
   void SetTargets();
   void SetPositionWeights();
 
@@ -100,17 +105,34 @@ private:
   Vector Share;    ///< of the motion, 0 to 1
 };
 
+void Passes::HoldHubs()
+{
+  const MeshTopology& topology = this->Mesh.GetTopology();
+  Mask& freedom = this->Problem.motion.freedom;
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    if (topology.IsHub(i))
+    {
+      freedom[i] = MotionConstraints::FIXED;
+      std::for_each(topology.oneRings.Begin(i), topology.oneRings.End(i),
+        [&](Index j) { freedom[j] = MotionConstraints::FIXED; });
+    }
+  }
+}
+
 void Passes::SetUp(const MotionConstraints& motion)
 {
   this->Problem.L = this->Mesh.GetLaplacian(LaplacianType::UNIFORM);
   this->Problem.laplacianWeights = Vector::Zero(this->Size());
   this->Problem.motion = motion;
+  this->HoldHubs();
   for (Index i = 0; i < this->Size(); ++i)
   {
-    if (motion.freedom[i] == MotionConstraints::FREE)
+    auto& freedom = this->Problem.motion.freedom[i];
+    if (freedom == MotionConstraints::FREE)
     {
       this->Problem.laplacianWeights[i] = 1;
-      this->Problem.motion.freedom[i] = MotionConstraints::IN_PLANE;
+      freedom = MotionConstraints::IN_PLANE;
     }
   }
 }

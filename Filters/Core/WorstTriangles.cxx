@@ -165,7 +165,7 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED || this->Topology.IsHub(vertex))
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
     {
       return false;
     }
