@@ -59,13 +59,17 @@ void CheckSelection(vtkSelection* selection)
 Vector SelectedPoints(vtkPolyData* mesh, vtkSelection* selection)
 {
   CheckSelection(selection);
+  Vector isSelected = Vector::Zero(mesh->GetNumberOfPoints());
+  if (selection->GetNumberOfNodes() == 0)
+  {
+    return isSelected; // VTK 9.1's filter takes that for a mixture
+  }
   vtkNew<vtkPolyData> surface;
   surface->ShallowCopy(mesh);
   vtkNew<vtkExtractSelection> extraction;
   extraction->SetInputData(0, surface);
   extraction->SetInputData(1, selection);
   extraction->Update();
-  Vector isSelected = Vector::Zero(mesh->GetNumberOfPoints());
   auto* extract = vtkDataSet::SafeDownCast(extraction->GetOutputDataObject(0));
   auto* ids =
     extract ? vtkIdTypeArray::SafeDownCast(extract->GetPointData()->GetArray("vtkOriginalPointIds"))
