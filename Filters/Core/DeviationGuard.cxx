@@ -75,8 +75,8 @@ void AddOnce(const std::vector<Index>& more, Mask& isListed)
 }
 }
 
-DeviationGuard::DeviationGuard(
-  const Points& V, const Triangles& triangles, const MeshTopology& topology, double distance)
+DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
+  const MeshTopology& topology, double distance, Monitor& monitor)
   : Original(V)
   , T(triangles)
   , Topology(topology)
@@ -90,16 +90,19 @@ DeviationGuard::DeviationGuard(
   , AdmittedQuality(triangles.rows())
   , Quality(triangles.rows())
   , AdmittedCosine(triangles.rows())
-  , OriginalTree(this->Original, triangles)
-  , Tree(this->Candidate, triangles)
+  , AdmittedHeights(triangles.rows())
+  , OriginalTree(this->Original, triangles, monitor)
+  , Tree(this->Candidate, this->OriginalTree)
   , ToOriginal(static_cast<Index>(triangles.rows()))
   , ToCandidate(static_cast<Index>(triangles.rows()))
-  , ToAdmitted(static_cast<Index>(triangles.rows()))
+  , ToAdmitted(0)
 {
+  monitor.Report(0);
   std::vector<Index> all(triangles.rows());
   std::iota(all.begin(), all.end(), 0);
   this->UpdateShapes(all);
   this->Admit();
+  monitor.Report(0);
 }
 
 std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertices) const
@@ -169,10 +172,12 @@ bool DeviationGuard::IsInverted(Index t) const
 }
 
 template <typename IsBeyond>
-std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyond& isBeyond)
+std::vector<Index> DeviationGuard::Split(
+  std::vector<Index>& list, Monitor& monitor, const IsBeyond& isBeyond)
 {
   Mask areBeyond(list.size());
-  ParallelFor(static_cast<Index>(list.size()), [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
+  InterruptibleFor(static_cast<Index>(list.size()), monitor,
+    [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
   std::vector<Index> beyond;
   std::vector<Index> others;
   for (std::size_t k = 0; k < list.size(); ++k)
@@ -183,11 +188,11 @@ std::vector<Index> DeviationGuard::Split(std::vector<Index>& list, const IsBeyon
   return beyond;
 }
 
-std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list)
+std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Monitor& monitor)
 {
   std::vector<Index> astray;
   for (const DistanceProofs::Failure& failure : this->ToOriginal.Check(
-         list, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance))
+         list, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance, monitor))
   {
     astray.push_back(failure.triangle);
   }
@@ -197,7 +202,7 @@ std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list)
 }
 
 std::vector<DeviationGuard::Failure> DeviationGuard::Check(
-  const std::vector<Index>& vertices, double leastQuality)
+  const std::vector<Index>& vertices, double leastQuality, Monitor& monitor)
 {
   this->Tree.Invalidate();
   std::vector<Index> changed;
@@ -213,16 +218,16 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   AddOnce(this->OpenOriginal, isListed, originals);
 
   this->UpdateShapes(changed);
-  std::vector<Index> bad = Split(changed,
+  std::vector<Index> bad = Split(changed, monitor,
     [&](Index t)
     {
       return this->Quality[t] < std::min(leastQuality, this->AdmittedQuality[t]) ||
              this->IsFolded(t) || this->IsInverted(t);
     });
-  const std::vector<Index> astray = this->FindAstray(changed);
+  const std::vector<Index> astray = this->FindAstray(changed, monitor);
   bad.insert(bad.end(), astray.begin(), astray.end());
   // What has not moved is admitted already; its neighbours are to blame for a fold between them.
-  this->Open = Split(bad, [this](Index t) { return this->IsMoved(t); });
+  this->Open = Split(bad, monitor, [this](Index t) { return this->IsMoved(t); });
 
   std::vector<Failure> failures;
   for (const Index t : this->Open)
@@ -231,7 +236,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   }
   this->OpenOriginal.clear();
   for (const DistanceProofs::Failure& failure : this->ToCandidate.Check(
-         originals, this->Original, this->CandidateView(), this->Tree, this->Distance))
+         originals, this->Original, this->CandidateView(), this->Tree, this->Distance, monitor))
   {
     const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(failure.triangle);
     const std::vector<Index>& used = admitted.used;
@@ -253,6 +258,7 @@ void DeviationGuard::AdmitShape(Index t)
   const Index below = this->ToOriginal.Get(t).seed;
   this->AdmittedNormals.row(t) = this->Normals.row(t);
   this->AdmittedQuality[t] = this->Quality[t];
+  this->AdmittedHeights[t] = this->ToOriginal.Get(t).heights;
   this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
 }
 
@@ -277,7 +283,12 @@ void DeviationGuard::Reject()
 
 double DeviationGuard::GetBound() const
 {
-  return std::max(this->ToOriginal.GetBound(), this->ToAdmitted.GetBound());
+  double bound = this->ToAdmitted.GetBound();
+  for (const HeightRange& heights : this->AdmittedHeights)
+  {
+    bound = std::max(bound, heights.Largest());
+  }
+  return bound;
 }
 
 void DeviationGuard::BuildDependents()
@@ -305,6 +316,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
   this->Move(vertex, position);
   this->UpdateShapes(changed);
+  Monitor unwatched;
   std::vector<DistanceProofs::Proof> proofs;
   proofs.reserve(changed.size());
   for (const Index t : changed)
@@ -316,7 +328,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
                       [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
                     std::none_of(neighbours.begin(), neighbours.end(),
                       [this](Index t) { return this->IsInverted(t); }) &&
-                    this->FindAstray(changed).empty();
+                    this->FindAstray(changed, unwatched).empty();
   if (isAdmitted)
   {
     for (const Index t : changed)
@@ -328,7 +340,8 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     this->Tree.Refit(changed);
     isAdmitted =
       this->ToCandidate
-        .Check(originals, this->Original, this->CandidateView(), this->Tree, this->Distance)
+        .Check(originals, this->Original, this->CandidateView(), this->Tree, this->Distance,
+          unwatched)
         .empty();
   }
   if (isAdmitted)

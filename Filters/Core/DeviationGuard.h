@@ -24,8 +24,9 @@ public:
 
   /// Keeps references to the arguments.
   /// \param distance > 0
-  DeviationGuard(
-    const Points& V, const Triangles& triangles, const MeshTopology& topology, double distance);
+  /// \throw Cancelled if the monitor says so.
+  DeviationGuard(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+    double distance, Monitor& monitor);
   DeviationGuard(const DeviationGuard&) = delete;
   void operator=(const DeviationGuard&) = delete;
 
@@ -36,7 +37,7 @@ public:
   const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
 
   /// Heights of the original surface over an admitted triangle.
-  const HeightRange& GetHeights(Index t) const { return this->ToOriginal.Get(t).heights; }
+  const HeightRange& GetHeights(Index t) const { return this->AdmittedHeights[t]; }
 
   /// Every point of one surface is within this distance of the other, for the positions admitted.
   double GetBound() const;
@@ -48,7 +49,9 @@ public:
   /// \param vertices that have moved since the last call
   /// \param leastQuality t below which that of a triangle must not fall
   /// \return no failures if they may be admitted
-  std::vector<Failure> Check(const std::vector<Index>& vertices, double leastQuality);
+  /// \throw Cancelled if the monitor says so; what is admitted remains, and no more can be judged.
+  std::vector<Failure> Check(
+    const std::vector<Index>& vertices, double leastQuality, Monitor& monitor);
 
   /// Admits the positions set, in which Check() found no failure.
   void Admit();
@@ -76,10 +79,11 @@ private:
 
   /// Moves the triangles of the list that are beyond a limit to the result.
   template <typename IsBeyond>
-  static std::vector<Index> Split(std::vector<Index>& list, const IsBeyond& isBeyond);
+  static std::vector<Index> Split(
+    std::vector<Index>& list, Monitor& monitor, const IsBeyond& isBeyond);
 
   /// The triangles of the list that are far from the original surface or turned against it.
-  std::vector<Index> FindAstray(const std::vector<Index>& list);
+  std::vector<Index> FindAstray(const std::vector<Index>& list, Monitor& monitor);
 
   void AdmitShape(Index t);
   void BuildDependents();
@@ -97,6 +101,7 @@ private:
   Vector AdmittedQuality;
   Vector Quality;
   Vector AdmittedCosine; ///< of the angle to the reference normal
+  std::vector<HeightRange> AdmittedHeights; ///< of the original surface
   TriangleTree OriginalTree;
   TriangleTree Tree;               ///< of the candidate
   DistanceProofs ToOriginal;       ///< the candidate's triangles are close to the original mesh

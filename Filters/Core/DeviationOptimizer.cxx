@@ -47,18 +47,20 @@ class Passes
 {
 public:
   Passes(MeshAnalysis& mesh, const OptimizerOptions& options, const FeatureLines& features,
-    const MotionConstraints& motion)
+    const MotionConstraints& motion, Monitor& monitor)
     : Mesh(mesh)
     , Options(options)
     , Features(features)
     , Distance(
         std::max(options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
-    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance)
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
     , Adaption(Vector::Ones(mesh.GetPoints().rows()))
     , Share(Vector::Zero(mesh.GetPoints().rows()))
   {
     this->SetUp(motion);
+    monitor.Report(0);
     this->SetPositionWeights();
+    monitor.Report(0);
   }
 
   void Run(Monitor& monitor, DeviationResult& result);
@@ -282,7 +284,7 @@ bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
         const double share = this->Share[i];
         this->Guard.Move(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
       });
-    const auto failures = this->Guard.Check(moving, leastQuality);
+    const auto failures = this->Guard.Check(moving, leastQuality, monitor);
     if (failures.empty())
     {
       break;
@@ -349,7 +351,6 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
   catch (const Cancelled&)
   {
     result.isCancelled = true;
-    this->Guard.Reject();
   }
   result.positions = this->Guard.GetAdmitted();
   const double diagonal = this->Mesh.GetDiagonal();
@@ -364,8 +365,16 @@ DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptio
   const FeatureLines& features, const MotionConstraints& motion, Monitor& monitor)
 {
   DeviationResult result;
-  Passes passes(mesh, options, features, motion);
-  passes.Run(monitor, result);
+  try
+  {
+    Passes(mesh, options, features, motion, monitor).Run(monitor, result);
+  }
+  catch (const Cancelled&)
+  {
+    result.positions = mesh.GetPoints();
+    result.positionWeights = result.laplacianWeights = Vector::Zero(mesh.GetPoints().rows());
+    result.isCancelled = true;
+  }
   return result;
 }
 }

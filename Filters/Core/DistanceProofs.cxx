@@ -33,9 +33,9 @@ void Store(const TriangleCover& cover, TriangleCover::Verdict verdict, DistanceP
 /// Proves what the cover left open.
 void TestOpen(const std::vector<Index>& list, const Points& V, const SurfaceView& mesh,
   const TriangleTree& tree, double distance, std::vector<DistanceProofs::Proof>& proofs,
-  Mask& states, std::vector<Index>& close)
+  Mask& states, std::vector<Index>& close, Monitor& monitor)
 {
-  ParallelFor(static_cast<Index>(list.size()),
+  InterruptibleFor(static_cast<Index>(list.size()), monitor,
     [&, cover = TriangleCover()](Index k) mutable
     {
       if (states[k] != TriangleCover::UNCLEAR)
@@ -73,12 +73,12 @@ DistanceProofs::DistanceProofs(Index triangles)
 }
 
 std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Index>& list,
-  const Points& V, const SurfaceView& mesh, TriangleTree& tree, double distance)
+  const Points& V, const SurfaceView& mesh, TriangleTree& tree, double distance, Monitor& monitor)
 {
   const auto size = static_cast<Index>(list.size());
   Mask states(size);
   std::vector<Index> close(size, -1);
-  ParallelFor(size,
+  InterruptibleFor(size, monitor,
     [&, cover = TriangleCover()](Index k) mutable
     {
       Proof& proof = this->Proofs[list[k]];
@@ -90,7 +90,7 @@ std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Ind
   if (std::find(states.begin(), states.end(), TriangleCover::UNCLEAR) != states.end())
   {
     tree.Refit();
-    TestOpen(list, V, mesh, tree, distance, this->Proofs, states, close);
+    TestOpen(list, V, mesh, tree, distance, this->Proofs, states, close, monitor);
   }
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)

@@ -34,8 +34,9 @@ public:
   /// Proves anew that the triangles of \a list with the corners in \a V are within \a distance of
   /// \a mesh.
   /// \param tree of \a mesh; refitted if it is needed
+  /// \throw Cancelled if the monitor says so; the proofs are of no use then.
   std::vector<Failure> Check(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleTree& tree, double distance);
+    const SurfaceView& mesh, TriangleTree& tree, double distance, Monitor& monitor);
 
   const Proof& Get(Index triangle) const { return this->Proofs[triangle]; }
   void Set(Index triangle, Proof proof) { this->Proofs[triangle] = std::move(proof); }

@@ -4,7 +4,7 @@
 
 #include "Curvature.h"
 #include "Parallel.h"
-#include "RobustLaplacian.h"
+#include "RunAside.h"
 #include "TriangleGeometry.h"
 
 #include <algorithm>
@@ -88,11 +88,7 @@ void MeshAnalysis::ComputeCotangentParts()
 {
   if (!this->EdgeWeights && this->IsRobust)
   {
-    RobustWeights weights = ComputeRobustWeights(this->V, this->T);
-    this->WeightRings = std::move(weights.rings);
-    this->EdgeWeights = std::move(weights.edgeWeights);
-    this->VoronoiAreas = std::move(weights.voronoiAreas);
-    ++this->NumberOfParts;
+    this->SetRobustWeights(ComputeRobustWeights(this->V, this->T));
   }
   else if (!this->EdgeWeights)
   {
@@ -101,6 +97,25 @@ void MeshAnalysis::ComputeCotangentParts()
     this->EdgeWeights = CotangentEdgeWeights(*this->Topology, this->T, cotangents);
     this->VoronoiAreas = MixedVoronoiAreas(this->V, this->T, *this->Topology, cotangents);
     ++this->NumberOfParts;
+  }
+}
+
+void MeshAnalysis::SetRobustWeights(RobustWeights weights)
+{
+  this->WeightRings = std::move(weights.rings);
+  this->EdgeWeights = std::move(weights.edgeWeights);
+  this->VoronoiAreas = std::move(weights.voronoiAreas);
+  ++this->NumberOfParts;
+}
+
+void MeshAnalysis::PrepareRobustLaplacian(LaplacianType type, Monitor& monitor)
+{
+  const bool areNeeded = !this->Curvatures || (type != LaplacianType::UNIFORM &&
+                                                !this->Laplacians[static_cast<int>(type)]);
+  if (this->IsRobust && !this->EdgeWeights && areNeeded)
+  {
+    this->SetRobustWeights(RunAside(
+      monitor, [V = this->V, T = this->T] { return ComputeRobustWeights(V, T); }));
   }
 }
 

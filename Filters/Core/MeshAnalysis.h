@@ -4,7 +4,9 @@
 #define lmo_MeshAnalysis_h
 
 #include "Laplacian.h"
+#include "Monitor.h"
 #include "Quality.h"
+#include "RobustLaplacian.h"
 #include "Subdomain.h"
 #include "Weights.h"
 
@@ -54,6 +56,11 @@ public:
   /// What follows from the other ones is forgotten.
   void SetRobustLaplacian(bool isRobust);
 
+  /// Computes the robust weights now, which takes long, if GetMeanCurvatures() or GetLaplacian() of
+  /// \a type need them.
+  /// \throw Cancelled if the monitor says so.
+  void PrepareRobustLaplacian(LaplacianType type, Monitor& monitor);
+
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
 
@@ -94,6 +101,8 @@ private:
 
   /// Computes edge weights, their rings and Voronoi areas, which share the cotangents.
   void ComputeCotangentParts();
+
+  void SetRobustWeights(RobustWeights weights);
 
   void ForgetWeights();
 

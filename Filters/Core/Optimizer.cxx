@@ -215,6 +215,7 @@ OptimizerResult Optimizer::RunInOrder(
   monitor.Begin("Setting up the equations");
   MeshAnalysis& mesh = *this->Mesh;
   mesh.SetRobustLaplacian(options.robustLaplacian);
+  mesh.PrepareRobustLaplacian(options.laplacianType, monitor);
   const std::optional<FeatureLines> lines = SlidingLines(mesh, options, arrays);
   OptimizerResult result;
   switch (options.mode)

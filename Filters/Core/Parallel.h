@@ -3,6 +3,7 @@
 #ifndef lmo_Parallel_h
 #define lmo_Parallel_h
 
+#include "Monitor.h"
 #include "ThreadTeam.h"
 
 #include "vtkSMPTools.h"
@@ -73,6 +74,20 @@ void ParallelFor(Index count, const Body& body)
       }
     },
     ParallelGrain);
+}
+
+/// ParallelFor() that asks the monitor now and then.
+/// \throw Cancelled if the monitor says so; what has been done by then stays.
+template <typename Body>
+void InterruptibleFor(Index count, Monitor& monitor, const Body& body)
+{
+  constexpr Index slice = 65536;
+  for (Index first = 0; first < count; first += std::min(slice, count - first))
+  {
+    monitor.Report(0);
+    ParallelFor(
+      std::min(slice, count - first), [first, local = body](Index i) mutable { local(first + i); });
+  }
 }
 
 /// Sum of body(sum, i) over i in [0, count), where body adds the term of i to its first argument.

@@ -14,13 +14,13 @@ namespace lmo
 namespace
 {
 constexpr Index TrianglesPerLeaf = 4;
-constexpr Index ParallelSubtrees = 16;
+constexpr Index LeavesPerTask = 1024;
 
 /// In terms of the radius. Where thousands of triangles meet, all are equally close.
 constexpr double NegligibleDistance = 1e-3;
 }
 
-TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
+TriangleTree::TriangleTree(const Points& V, const Triangles& triangles, Monitor& monitor)
   : V(V)
   , T(triangles)
 {
@@ -36,16 +36,15 @@ TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
     this->Leaves *= 2;
   }
   this->Boxes.resize(2 * std::size_t(this->Leaves));
-  const Index subtrees = std::min(ParallelSubtrees, this->Leaves);
-  for (Index span = this->Leaves; span > this->Leaves / subtrees; span /= 2)
+  Index span = this->Leaves;
+  for (; span > LeavesPerTask; span /= 2)
   {
-    for (Index first = 0; first < this->Leaves; first += span)
-    {
-      this->Halve(first, span);
-    }
+    monitor.Report(0);
+    ParallelTasks(this->Leaves / span, [&](Index k) { this->Halve(k * span, span); });
   }
-  const Index leaves = this->Leaves / subtrees;
-  ParallelTasks(subtrees, [&](Index k) { this->Sort(k * leaves, leaves); });
+  monitor.Report(0);
+  ParallelTasks(this->Leaves / span, [&](Index k) { this->Sort(k * span, span); });
+  monitor.Report(0);
   this->LeafOf.assign(triangles.rows(), -1);
   for (Index leaf = 0; leaf < this->Leaves; ++leaf)
   {
@@ -55,6 +54,16 @@ TriangleTree::TriangleTree(const Points& V, const Triangles& triangles)
     }
   }
   this->Refit();
+}
+
+TriangleTree::TriangleTree(const Points& V, const TriangleTree& other)
+  : V(V)
+  , T(other.T)
+  , Leaves(other.Leaves)
+  , Order(other.Order)
+  , LeafOf(other.LeafOf)
+  , Boxes(other.Boxes)
+{
 }
 
 void TriangleTree::Halve(Index firstLeaf, Index leaves)

@@ -3,6 +3,7 @@
 #ifndef lmo_TriangleTree_h
 #define lmo_TriangleTree_h
 
+#include "Monitor.h"
 #include "Types.h"
 
 #include <Eigen/Geometry>
@@ -21,7 +22,11 @@ public:
   };
 
   /// Keeps references to the arguments. Triangles that name a vertex twice are left out.
-  TriangleTree(const Points& V, const Triangles& triangles);
+  /// \throw Cancelled if the monitor says so.
+  TriangleTree(const Points& V, const Triangles& triangles, Monitor& monitor);
+
+  /// The same tree over vertices that may move on their own; keeps a reference to \a V.
+  TriangleTree(const Points& V, const TriangleTree& other);
 
   /// Says that vertices have moved: Refit() has to follow before the next query.
   void Invalidate() { this->IsCurrent = false; }
