@@ -114,8 +114,8 @@ void MeshAnalysis::PrepareRobustLaplacian(LaplacianType type, Monitor& monitor)
                                                 !this->Laplacians[static_cast<int>(type)]);
   if (this->IsRobust && !this->EdgeWeights && areNeeded)
   {
-    this->SetRobustWeights(RunAside(
-      monitor, [V = this->V, T = this->T] { return ComputeRobustWeights(V, T); }));
+    this->SetRobustWeights(
+      RunAside(monitor, [V = this->V, T = this->T] { return ComputeRobustWeights(V, T); }));
   }
 }
 
