@@ -143,9 +143,9 @@ public:
    * keeps its tangent plane, after each of which motion is taken back where it leaves
    * MaximumDeviation or spoils a triangle; it has weights of its own. The smallest radius ratio
    * does not fall, and no triangle turns over or folds that did not before. If you abort it, the
-   * output is what was reached by then. SMOOTH_GUIDED (4): smooths lightly, filters the normals of
-   * the triangles, and lets the triangles follow them; it has weights of its own. Default:
-   * OPTIMIZE_TRIANGLES.
+   * output is what was reached by then. SMOOTH_GUIDED (4): smooths lightly, then filters the
+   * normals of the triangles and lets the triangles follow them, three times; it has weights of its
+   * own. Default: OPTIMIZE_TRIANGLES.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -370,7 +370,8 @@ public:
 
   ///@{
   /**
-   * For SMOOTH_GUIDED: iterations of the filter of normals, 0 or more; 20 for strong noise.
+   * For SMOOTH_GUIDED: iterations of the first filter of normals, 0 or more; 20 for strong
+   * noise. The second and the third have a quarter of them.
    * Default: 10.
    */
   vtkSetMacro(NormalIterations, int);

@@ -141,14 +141,22 @@ double Dot(const Points& a, const Points& b)
 
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
   const Points& normals, const Laplacian& L, const MotionConstraints& motion, double detailWeight,
-  const SolverOptions& options, Monitor& monitor)
+  Points guess, const SolverOptions& options, Monitor& monitor)
 {
   const GuidedEquations A(V, triangles, topology, normals, L, motion, detailWeight);
-  Points residual = A.GetRightHandSide();
+  const Points& b = A.GetRightHandSide();
   Solution solution;
-  solution.displacement = Points::Zero(V.rows(), 3);
-  solution.rightHandSideNorm = std::sqrt(Dot(residual, residual));
-  solution.relativeResidual = solution.rightHandSideNorm > 0 ? 1 : 0;
+  solution.rightHandSideNorm = std::sqrt(Dot(b, b));
+  const auto relative = [&](const Points& residual)
+  {
+    return solution.rightHandSideNorm > 0
+             ? std::sqrt(Dot(residual, residual)) / solution.rightHandSideNorm
+             : 0;
+  };
+  ParallelFor(topology.vertices, [&](Index i) { guess.row(i) = motion.Project(i, guess.row(i)); });
+  solution.displacement = std::move(guess);
+  Points residual = b - A.Apply(solution.displacement);
+  solution.relativeResidual = relative(residual);
   Points direction = Points::Zero(V.rows(), 3);
   double rho = 1;
   while (solution.relativeResidual > options.tolerance &&
@@ -170,13 +178,9 @@ Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTo
     solution.displacement += alpha * direction;
     residual -= alpha * product;
     ++solution.iterations;
-    solution.relativeResidual = std::sqrt(Dot(residual, residual)) / solution.rightHandSideNorm;
+    solution.relativeResidual = relative(residual);
   }
-  if (solution.iterations > 0)
-  {
-    residual = A.GetRightHandSide() - A.Apply(solution.displacement);
-    solution.relativeResidual = std::sqrt(Dot(residual, residual)) / solution.rightHandSideNorm;
-  }
+  solution.relativeResidual = relative(b - A.Apply(solution.displacement));
   return solution;
 }
 }

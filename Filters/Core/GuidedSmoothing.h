@@ -15,10 +15,11 @@ namespace lmo
 /// \param normals m, one unit row per triangle, or 0
 /// \param L uniform Laplacian
 /// \param detailWeight mu > 0
+/// \param guess of the displacement
 /// \throw Cancelled if the monitor says so.
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
   const Points& normals, const Laplacian& L, const MotionConstraints& motion, double detailWeight,
-  const SolverOptions& options, Monitor& monitor);
+  Points guess, const SolverOptions& options, Monitor& monitor);
 }
 
 #endif

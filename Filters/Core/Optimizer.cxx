@@ -16,6 +16,13 @@ namespace lmo
 {
 namespace
 {
+/// Mode::SMOOTH_GUIDED: the scale factor of the smoothing that the first normals come from, how
+/// often normals are filtered and followed, and by what the iterations of the filter are divided
+/// after the first time, when it meets little noise.
+constexpr double FirstSmoothing = 0.75;
+constexpr int GuidedRounds = 3;
+constexpr int LaterShare = 4;
+
 template <typename Values>
 void Reorder(const MeshOrder& order, std::optional<Values>& array)
 {
@@ -172,26 +179,32 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   OptimizerOptions smoothing;
   smoothing.mode = Mode::SMOOTH;
   smoothing.positionWeighting = PositionWeighting::CONSTANT;
+  smoothing.scaleFactor = FirstSmoothing;
   smoothing.boundaryCondition = options.boundaryCondition;
   smoothing.solver = options.solver;
   this->SolveOnce(smoothing, arrays, lines, monitor, result);
 
-  monitor.Begin("Filtering normals");
   const Points& V = mesh.GetPoints();
+  const Triangles& T = mesh.GetTriangles();
   const MeshTopology& topology = mesh.GetTopology();
-  const Points normals = FilterNormals(result.positions, mesh.GetTriangles(), topology,
-    options.guide.normalIterations, options.guide.normalWidth, monitor);
-  monitor.Begin("Following normals");
   const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
-  const Solution solution = FollowNormals(V, mesh.GetTriangles(), topology, normals, problem.L,
-    problem.motion, options.guide.detailWeight, options.solver, monitor);
-  Report(solution, options.solver, result);
-  result.positions = V + solution.displacement;
+  int iterations = options.guide.normalIterations;
+  for (int round = 0; round < GuidedRounds; ++round)
+  {
+    monitor.Begin("Filtering normals");
+    const Points normals = FilterNormals(
+      result.positions, T, topology, iterations, options.guide.normalWidth, monitor);
+    monitor.Begin("Following normals");
+    const Solution solution = FollowNormals(V, T, topology, normals, problem.L, problem.motion,
+      options.guide.detailWeight, result.positions - V, options.solver, monitor);
+    Report(solution, options.solver, result);
+    result.positions = V + solution.displacement;
+    iterations = options.guide.normalIterations / LaterShare;
+  }
   Project(lines, mesh, result.positions);
   if (options.preserveVolume)
   {
-    RestoreVolumes(
-      V, mesh.GetTriangles(), topology, mesh.GetComponents(), problem.motion, result.positions);
+    RestoreVolumes(V, T, topology, mesh.GetComponents(), problem.motion, result.positions);
   }
 }
 
