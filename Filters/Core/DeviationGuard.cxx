@@ -176,8 +176,8 @@ std::vector<Index> DeviationGuard::Split(
   std::vector<Index>& list, Monitor& monitor, const IsBeyond& isBeyond)
 {
   Mask areBeyond(list.size());
-  InterruptibleFor(static_cast<Index>(list.size()), monitor,
-    [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
+  InterruptibleFor(
+    static_cast<Index>(list.size()), monitor, [&](Index k) { areBeyond[k] = isBeyond(list[k]); });
   std::vector<Index> beyond;
   std::vector<Index> others;
   for (std::size_t k = 0; k < list.size(); ++k)
@@ -338,11 +338,10 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     std::sort(originals.begin(), originals.end());
     originals.erase(std::unique(originals.begin(), originals.end()), originals.end());
     this->Tree.Refit(changed);
-    isAdmitted =
-      this->ToCandidate
-        .Check(originals, this->Original, this->CandidateView(), this->Tree, this->Distance,
-          unwatched)
-        .empty();
+    isAdmitted = this->ToCandidate
+                   .Check(originals, this->Original, this->CandidateView(), this->Tree,
+                     this->Distance, unwatched)
+                   .empty();
   }
   if (isAdmitted)
   {

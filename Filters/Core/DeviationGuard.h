@@ -100,7 +100,7 @@ private:
   Points Normals;
   Vector AdmittedQuality;
   Vector Quality;
-  Vector AdmittedCosine; ///< of the angle to the reference normal
+  Vector AdmittedCosine;                    ///< of the angle to the reference normal
   std::vector<HeightRange> AdmittedHeights; ///< of the original surface
   TriangleTree OriginalTree;
   TriangleTree Tree;               ///< of the candidate

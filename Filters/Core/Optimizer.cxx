@@ -192,8 +192,8 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   for (int round = 0; round < GuidedRounds; ++round)
   {
     monitor.Begin("Filtering normals");
-    const Points normals = FilterNormals(
-      result.positions, T, topology, iterations, options.guide.normalWidth, monitor);
+    const Points normals =
+      FilterNormals(result.positions, T, topology, iterations, options.guide.normalWidth, monitor);
     monitor.Begin("Following normals");
     const Solution solution = FollowNormals(V, T, topology, normals, problem.L, problem.motion,
       options.guide.detailWeight, result.positions - V, options.solver, monitor);
