@@ -30,13 +30,16 @@ struct Solution
 /// Scalar; d and, from time to time, the residual are computed in double (residual replacement, van
 /// der Vorst and Ye 2000), so that single precision reaches any tolerance at half the memory
 /// traffic.
+///
+/// On a part of a mesh the processes iterate together. Copies are FIXED there: their owners move
+/// them, and their rows drop out of all sums.
 template <typename Scalar, typename Preconditioner>
 class ConjugateGradient
 {
 public:
   /// Keeps references to the arguments.
-  ConjugateGradient(
-    const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M);
+  ConjugateGradient(const LeastSquaresProblem& problem, PackedEquations<Scalar>& A,
+    Preconditioner& M, const Subdomain& domain);
 
   /// Improves \a solution until it meets the tolerance, the
   /// iterations are used up, the precision of Scalar allows no progress or more than \a affordable
@@ -81,8 +84,9 @@ private:
   const LeastSquaresProblem& Problem;
   PackedEquations<Scalar>& A;
   Preconditioner& M;
-  const bool IsCoupled;
-  double Scale = 1; ///< |b|, the unit of the packed vectors
+  const Subdomain& Domain;
+  const bool IsCoupled; ///< the same in all processes that have vertices
+  double Scale = 1;     ///< |b|, the unit of the packed vectors
   PackedPoints<Scalar> Residual;
   PackedPoints<Scalar> Direction;
   PackedPoints<Scalar> Product; ///< A times Direction

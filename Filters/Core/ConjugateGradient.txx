@@ -28,11 +28,12 @@ inline double PredictIterations(const std::vector<double>& norms, double toleran
 }
 
 template <typename Scalar, typename Preconditioner>
-ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(
-  const LeastSquaresProblem& problem, PackedEquations<Scalar>& A, Preconditioner& M)
+ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(const LeastSquaresProblem& problem,
+  PackedEquations<Scalar>& A, Preconditioner& M, const Subdomain& domain)
   : Problem(problem)
   , A(A)
   , M(M)
+  , Domain(domain)
   , IsCoupled(problem.IsCoupled())
   , Residual(4, problem.Size())
   , Direction(4, problem.Size())
@@ -62,7 +63,8 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
   while (solution.relativeResidual > options.tolerance &&
          solution.iterations < options.maximumIterations)
   {
-    this->Alpha = DivideDots(this->Rho, this->A.Multiply(this->Direction, this->Product));
+    this->Alpha =
+      DivideDots(this->Rho, this->Domain.Sum(this->A.Multiply(this->Direction, this->Product)));
     const Dots oldRho = this->Rho;
     const double norm = this->StepResidual(monitor);
     ++solution.iterations;
@@ -102,7 +104,7 @@ double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& 
     });
   this->M.Prepare(this->Residual, monitor);
   this->Rho = this->ResidualDots();
-  return norm * unit;
+  return this->Domain.Norm(norm) * unit;
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -114,7 +116,7 @@ Dots ConjugateGradient<Scalar, Preconditioner>::ResidualDots()
       const Row r = residual.col(i);
       dots.Add(Row(r * M(i, r)));
     });
-  return this->Couple(sum.Get());
+  return this->Domain.Sum(this->Couple(sum.Get()));
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -145,14 +147,14 @@ double ConjugateGradient<Scalar, Preconditioner>::StepResidual(Monitor& monitor)
     });
   if (Preconditioner::IsRowWise)
   {
-    this->Rho = this->Couple(sums.rho.Get());
+    this->Rho = this->Domain.Sum(this->Couple(sums.rho.Get()));
   }
   else
   {
     this->M.Prepare(this->Residual, monitor);
     this->Rho = this->ResidualDots();
   }
-  return std::sqrt(sums.squares.Get().sum());
+  return this->Domain.Norm(std::sqrt(sums.squares.Get().sum()));
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -167,6 +169,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Collect(Points& d)
       d.row(i) += this->Scale * this->Problem.motion.Project(i, exactStep);
       this->Steps.col(i).setZero();
     });
+  this->Domain.UpdateCopies(d);
   this->Alpha.setZero();
 }
 
@@ -183,6 +186,7 @@ void ConjugateGradient<Scalar, Preconditioner>::UpdateDirection(const Dots& beta
       steps.col(i) += alpha * p;
       direction.col(i) = M(i, residual.col(i)) + beta * p;
     });
+  this->Domain.UpdateCopies(this->Direction);
 }
 }
 

@@ -47,7 +47,7 @@ void Iterate(PackedEquations<Scalar>& A, Preconditioner&& M, const SolverOptions
   Index affordable, Monitor& monitor, Solution& solution)
 {
   Solution next = solution;
-  ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M)
+  ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M, Subdomain())
     .Run(options, affordable, monitor, next);
   solution.iterations = next.iterations;
   if (next.relativeResidual <= solution.relativeResidual &&

@@ -6,6 +6,8 @@
 #include "Features.h"
 #include "Ranking.h"
 
+#include <cmath>
+
 namespace lmo
 {
 /// The part of a mesh that this process holds, and what it asks of the other processes. This class
@@ -29,7 +31,11 @@ public:
 
   /// Over the processes.
   virtual double Sum(double value) const { return value; }
+  virtual Eigen::Array4d Sum(const Eigen::Array4d& values) const { return values; }
   virtual double Maximum(double value) const { return value; }
+
+  /// The norm of a vector from the norm of this process's part.
+  double Norm(double part) const { return std::sqrt(this->Sum(part * part)); }
 
   /// Quantile() of the values of all processes.
   /// \param values >= 0
@@ -41,6 +47,8 @@ public:
   /// Gives copies the values of their owners.
   virtual void UpdateCopies(Vector&) const {}
   virtual void UpdateCopies(Points&) const {}
+  virtual void UpdateCopies(Eigen::Array4Xf&) const {}
+  virtual void UpdateCopies(Eigen::Array4Xd&) const {}
 
   /// Sets the flags of the components that are connected, through other processes, to one whose
   /// flag is set.

@@ -62,6 +62,11 @@ void Communicator::Sum(std::vector<std::int64_t>& counts) const
     MPI_IN_PLACE, counts.data(), static_cast<int>(counts.size()), MPI_INT64_T, MPI_SUM, this->Comm);
 }
 
+void Communicator::Sum(double* values, int size) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, values, size, MPI_DOUBLE, MPI_SUM, this->Comm);
+}
+
 void Communicator::Try(const std::function<void()>& body) const
 {
   std::string text;

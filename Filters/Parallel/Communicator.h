@@ -34,8 +34,9 @@ public:
   /// Sum over the processes of lower rank.
   std::int64_t SumBefore(std::int64_t value) const;
 
-  /// Replaces each count by its sum over the processes.
+  /// Replaces each value by its sum over the processes.
   void Sum(std::vector<std::int64_t>& counts) const;
+  void Sum(double* values, int size) const;
 
   /// Calls body(), which is not collective.
   /// \throw InputError, in every process, with the text of the first one in which body() throws.

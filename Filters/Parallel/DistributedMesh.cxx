@@ -218,12 +218,6 @@ std::int64_t DistributedMesh::GetRow(Index i) const
   return this->FirstRows[place.rank] + place.number;
 }
 
-void DistributedMesh::UpdateCopies(double* values, int components) const
-{
-  const std::ptrdiff_t owned = std::ptrdiff_t(components) * this->GetNumberOfOwned();
-  this->Copies->Update(values, values + owned, components);
-}
-
 void DistributedMesh::UniteMaximum(Vector& values) const
 {
   this->Copies->ReduceMaximum(values.data() + this->GetNumberOfOwned(), values.data());

@@ -39,7 +39,8 @@ public:
   std::int64_t GetFirstRow() const { return this->FirstRows[this->Comm.Rank()]; }
 
   /// Gives the copies among the vertices the values of their owners.
-  void UpdateCopies(double* values, int components) const;
+  template <typename Scalar>
+  void UpdateCopies(Scalar* values, int components) const;
 
   /// Gives both owners and copies the largest of their values.
   void UniteMaximum(Vector& values) const;
@@ -73,6 +74,13 @@ private:
   std::unique_ptr<VertexCopies> Copies;      ///< the vertices that are not owned
   std::unique_ptr<VertexCopies> PieceCopies; ///< the points of the piece
 };
+
+template <typename Scalar>
+void DistributedMesh::UpdateCopies(Scalar* values, int components) const
+{
+  const std::ptrdiff_t owned = std::ptrdiff_t(components) * this->GetNumberOfOwned();
+  this->Copies->Update(values, values + owned, components);
+}
 
 template <typename Values>
 Values DistributedMesh::ToPiece(const Values& vertexValues) const

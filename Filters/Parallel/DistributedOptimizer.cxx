@@ -65,12 +65,11 @@ DistributedOptimizer::DistributedOptimizer(
   const PetscSession session(comm.Get());
   this->Mesh = std::make_shared<DistributedMesh>(comm, std::move(piece));
   Triangles vertexTriangles = this->Mesh->TakeTriangles();
-  auto subdomain = std::make_shared<DistributedSubdomain>(this->Mesh, vertexTriangles);
-  this->Vertices = std::make_unique<Optimizer>(this->Mesh->TakePoints(), std::move(vertexTriangles),
-    std::move(subdomain),
-    [mesh = this->Mesh](const LeastSquaresProblem& problem, SolverType type,
-      const SolverOptions& solver, Monitor& monitor)
-    { return SolveDistributed(problem, type, solver, monitor, *mesh); });
+  const auto subdomain = std::make_shared<const DistributedSubdomain>(this->Mesh, vertexTriangles);
+  this->Vertices =
+    std::make_unique<Optimizer>(this->Mesh->TakePoints(), std::move(vertexTriangles), subdomain,
+      [subdomain](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& solver,
+        Monitor& monitor) { return SolveDistributed(problem, type, solver, monitor, *subdomain); });
 }
 
 OptimizerResult DistributedOptimizer::Run(

@@ -83,6 +83,13 @@ double DistributedSubdomain::Sum(double value) const
   return this->Mesh->GetCommunicator().Sum(value);
 }
 
+Eigen::Array4d DistributedSubdomain::Sum(const Eigen::Array4d& values) const
+{
+  Eigen::Array4d sums = values;
+  this->Mesh->GetCommunicator().Sum(sums.data(), 4);
+  return sums;
+}
+
 double DistributedSubdomain::Maximum(double value) const
 {
   return this->Mesh->GetCommunicator().Maximum(value);
@@ -106,6 +113,16 @@ void DistributedSubdomain::UpdateCopies(Vector& values) const
 void DistributedSubdomain::UpdateCopies(Points& values) const
 {
   this->Mesh->UpdateCopies(values.data(), 3);
+}
+
+void DistributedSubdomain::UpdateCopies(Eigen::Array4Xf& values) const
+{
+  this->Mesh->UpdateCopies(values.data(), 4);
+}
+
+void DistributedSubdomain::UpdateCopies(Eigen::Array4Xd& values) const
+{
+  this->Mesh->UpdateCopies(values.data(), 4);
 }
 
 void DistributedSubdomain::UniteFlags(const std::vector<Index>& component, Mask& flags) const

@@ -15,14 +15,19 @@ public:
   /// \param triangles of \a mesh
   DistributedSubdomain(std::shared_ptr<const DistributedMesh> mesh, const Triangles& triangles);
 
+  const DistributedMesh& GetMesh() const { return *this->Mesh; }
+
   bool OwnsVertex(Index i) const override { return i < this->Mesh->GetNumberOfOwned(); }
   bool OwnsTriangle(Index t) const override { return this->IsTriangleOwned[t]; }
   double Sum(double value) const override;
+  Eigen::Array4d Sum(const Eigen::Array4d& values) const override;
   double Maximum(double value) const override;
   double Quantile(std::vector<double> values, double q) const override;
   Vector CumulativeShares(const Vector& values, const Mask& counts) const override;
   void UpdateCopies(Vector& values) const override;
   void UpdateCopies(Points& values) const override;
+  void UpdateCopies(Eigen::Array4Xf& values) const override;
+  void UpdateCopies(Eigen::Array4Xd& values) const override;
   void UniteFlags(const std::vector<Index>& component, Mask& flags) const override;
   void ProjectOntoLines(
     const FeatureLines& features, const Points& V, Points& moved) const override;

@@ -4,8 +4,6 @@
 
 #include "../Core/Exceptions.h"
 
-#include <string>
-
 namespace lmo
 {
 namespace
@@ -48,6 +46,16 @@ bool IsPetscReady()
   PetscInitialized(&isInitialized);
   PetscFinalized(&isFinalized);
   return isInitialized && !isFinalized;
+}
+
+bool HasPetscOptions(MPI_Comm comm, const std::string& beginning)
+{
+  char* options = nullptr;
+  Check(PetscOptionsGetAll(nullptr, &options));
+  int isFound = std::string(options).find(beginning) != std::string::npos;
+  Check(PetscFree(options));
+  MPI_Allreduce(MPI_IN_PLACE, &isFound, 1, MPI_INT, MPI_MAX, comm);
+  return isFound != 0;
 }
 
 PetscSession::PetscSession(MPI_Comm comm)

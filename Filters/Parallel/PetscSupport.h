@@ -6,6 +6,7 @@
 #include <petscksp.h>
 #include <petscsf.h>
 
+#include <string>
 #include <utility>
 
 namespace lmo
@@ -28,6 +29,9 @@ public:
 
 /// False before PETSc is ready and after it is finalized.
 bool IsPetscReady();
+
+/// True if the name of an option, which has a leading '-', begins so in any process. Collective.
+bool HasPetscOptions(MPI_Comm comm, const std::string& beginning);
 
 /// Owns a PETSc object; leaves it alone if PETSc is finalized before.
 template <typename Object, PetscErrorCode (*Destroy)(Object*)>

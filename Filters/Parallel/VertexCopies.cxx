@@ -11,12 +11,13 @@ namespace
 class UnitType
 {
 public:
-  explicit UnitType(int components)
+  UnitType(int components, MPI_Datatype number)
     : IsDerived(components > 1)
+    , Type(number)
   {
     if (this->IsDerived)
     {
-      MPI_Type_contiguous(components, MPI_DOUBLE, &this->Type);
+      MPI_Type_contiguous(components, number, &this->Type);
       MPI_Type_commit(&this->Type);
     }
   }
@@ -34,7 +35,7 @@ public:
 
 private:
   const bool IsDerived;
-  MPI_Datatype Type = MPI_DOUBLE;
+  MPI_Datatype Type;
 };
 }
 
@@ -54,7 +55,16 @@ VertexCopies::VertexCopies(
 
 void VertexCopies::Update(const double* owners, double* copies, int components) const
 {
-  const UnitType unit(components);
+  this->UpdateUnits(owners, copies, UnitType(components, MPI_DOUBLE));
+}
+
+void VertexCopies::Update(const float* owners, float* copies, int components) const
+{
+  this->UpdateUnits(owners, copies, UnitType(components, MPI_FLOAT));
+}
+
+void VertexCopies::UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const
+{
   Check(PetscSFBcastBegin(this->Forest, unit, owners, copies, MPI_REPLACE));
   Check(PetscSFBcastEnd(this->Forest, unit, owners, copies, MPI_REPLACE));
 }

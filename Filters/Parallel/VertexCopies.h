@@ -27,11 +27,14 @@ public:
   /// \param owners \a components values for each vertex owned, one vertex after the other
   /// \param copies room for as many values for each copy; does not overlap \a owners
   void Update(const double* owners, double* copies, int components) const;
+  void Update(const float* owners, float* copies, int components) const;
 
   /// Gives each owner the largest of its own value and those of the copies.
   void ReduceMaximum(const double* copies, double* owners) const;
 
 private:
+  void UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const;
+
   PetscStarForest Forest;
 };
 }

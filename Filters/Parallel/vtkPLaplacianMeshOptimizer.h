@@ -19,8 +19,9 @@
  * error in all. The figures, on every process, are those of the whole surface. With one process, or
  * without MPI, this is vtkLaplacianMeshOptimizer.
  *
- * Options of PETSc with the prefixes -lmo_ (conjugate gradients), -lmo_amg_ (multigrid) and
- * -lmo_direct_ (factorisation) are read from the environment variable PETSC_OPTIONS.
+ * Options of PETSc with the prefixes -lmo_ksp_ and -lmo_pc_ (conjugate gradients, which are PETSc's
+ * from the start if there are such options), -lmo_amg_ (multigrid) and -lmo_direct_ (factorisation)
+ * are read from the environment variable PETSC_OPTIONS.
  *
  * One thread for each process is used, unless a backend of vtkSMPTools is chosen.
  *

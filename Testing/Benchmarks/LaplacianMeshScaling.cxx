@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 // How long a surface over several processes takes, and how much memory. Prints one line of a table:
-//   mpirun -n 2 LaplacianMeshScaling <number of vertices>
+//   mpirun -n 2 LaplacianMeshScaling <number of vertices> [weight]
 #include "Parallel/DistributedOptimizer.h"
 
 #include "vtkGenerateGlobalIds.h"
@@ -136,14 +136,24 @@ void GenerateIds(Piece& piece, vtkMPIController* controller)
     piece.ids.push_back(static_cast<GlobalId>(ids->GetTuple1(i)));
   }
 }
+
+OptimizerOptions ChooseOptions(const char* smoothingWeight)
+{
+  OptimizerOptions options;
+  options.solverType = SolverType::ITERATIVE;
+  if (smoothingWeight)
+  {
+    options.mode = Mode::SMOOTH;
+    options.positionWeighting = PositionWeighting::CONSTANT;
+    options.scaleFactor = std::atof(smoothingWeight);
+  }
+  return options;
 }
 
-int main(int argc, char* argv[])
+/// Prints what a torus of size x size points takes.
+void Measure(Index size, const OptimizerOptions& options, vtkMPIController* controller)
 {
-  vtkNew<vtkMPIController> controller;
-  controller->Initialize(&argc, &argv);
   const Communicator comm(MPI_COMM_WORLD);
-  const auto size = static_cast<Index>(std::sqrt(argc > 1 ? std::atof(argv[1]) : 8e5));
   const double base = comm.Maximum(PeakMemory());
   Piece piece = MakePiece(size, comm.Rank(), comm.Size());
   const double start = Seconds();
@@ -154,14 +164,6 @@ int main(int argc, char* argv[])
   DistributedOptimizer optimizer(comm, std::move(piece), std::move(triangles));
   const double mesh = comm.Maximum(Seconds() - afterIds);
   StageTimes times;
-  OptimizerOptions options;
-  options.solverType = SolverType::ITERATIVE;
-  if (argc > 2)
-  {
-    options.mode = Mode::SMOOTH;
-    options.positionWeighting = PositionWeighting::CONSTANT;
-    options.scaleFactor = std::atof(argv[2]);
-  }
   const OptimizerResult result = optimizer.Run(options, {}, times);
   times.End();
   const double equations = comm.Maximum(times["Setting up the equations"]);
@@ -175,6 +177,22 @@ int main(int argc, char* argv[])
               << " | " << solve << " | " << processor << " | " << result.iterations << " | "
               << std::setprecision(0) << peak << " | " << base << " |" << std::endl;
   }
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const double vertices = argc > 1 ? std::atof(argv[1]) : 0;
+  if (!(vertices >= 9))
+  {
+    std::cerr << "Usage: LaplacianMeshScaling <number of vertices, at least 9> [weight]\n"
+                 "With a position weight it smooths; else it makes better triangles.\n";
+    return EXIT_FAILURE;
+  }
+  vtkNew<vtkMPIController> controller;
+  controller->Initialize(&argc, &argv);
+  Measure(static_cast<Index>(std::sqrt(vertices)), ChooseOptions(argc > 2 ? argv[2] : nullptr),
+    controller);
   controller->Finalize();
   return EXIT_SUCCESS;
 }

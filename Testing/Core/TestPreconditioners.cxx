@@ -122,7 +122,7 @@ Solution Iterate(System& system, Preconditioner&& M, const SolverOptions& option
   solution.rightHandSideNorm =
     ComputeResidual(system.problem, solution.displacement, [](Index, const Vector3&) {});
   Monitor monitor;
-  ConjugateGradient<float, Preconditioner>(system.problem, *system.A, M)
+  ConjugateGradient<float, Preconditioner>(system.problem, *system.A, M, Subdomain())
     .Run(options, options.maximumIterations, monitor, solution);
   return solution;
 }

@@ -169,6 +169,27 @@ double DifferenceOf(MpiJob& job, vtkPolyData* whole, const Cut& cut, const SetUp
   return job.Largest(
     DifferenceFromWhole(piece, Optimized(piece.surface, precise), OptimizedAlone(whole, precise)));
 }
+
+/// Where the first solver fails another one follows: the result would not tell.
+void CheckIterations(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(HalfSphere(4), 0.02);
+  const auto whole = MakePolyData(mesh);
+  const PieceOfMesh piece = TakePiece(whole, Sectors(mesh), job.Rank(), job.Size());
+  for (const bool hasPlanes : { false, true })
+  {
+    const auto setUp = [=](Optimizer* filter)
+    {
+      filter->SetTolerance(1e-12);
+      filter->SetBoundaryCondition(Optimizer::SLIDING);
+      filter->SetTangentPlaneConstraints(hasPlanes);
+    };
+    const double expected = FieldValue(OptimizedAlone(whole, setUp), "Iterations");
+    const double iterations = FieldValue(Optimized(piece.surface, setUp), "Iterations");
+    c.Error(std::string("iterations of one process") + (hasPlanes ? " with tangent planes" : ""),
+      job.Largest(std::abs(iterations / expected - 1)), 0.1);
+  }
+}
 }
 
 int TestDistributedCases(int argc, char* argv[])
@@ -190,5 +211,6 @@ int TestDistributedCases(int argc, char* argv[])
         DifferenceOf(job, whole, Sectors(mesh), each.setUp), 1e-9);
     }
   }
+  CheckIterations(job, c);
   return c.Result();
 }
