@@ -6,8 +6,6 @@
 #include "Features.h"
 #include "Ranking.h"
 
-#include <cmath>
-
 namespace lmo
 {
 /// The part of a mesh that this process holds, and what it asks of the other processes. This class
@@ -35,7 +33,7 @@ public:
   virtual double Maximum(double value) const { return value; }
 
   /// The norm of a vector from the norm of this process's part.
-  double Norm(double part) const { return std::sqrt(this->Sum(part * part)); }
+  virtual double Norm(double part) const { return part; }
 
   /// Quantile() of the values of all processes.
   /// \param values >= 0

@@ -5,6 +5,7 @@
 #include "DistributedRanking.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace lmo
 {
@@ -81,6 +82,11 @@ DistributedSubdomain::DistributedSubdomain(
 double DistributedSubdomain::Sum(double value) const
 {
   return this->Mesh->GetCommunicator().Sum(value);
+}
+
+double DistributedSubdomain::Norm(double part) const
+{
+  return std::sqrt(this->Sum(part * part));
 }
 
 Eigen::Array4d DistributedSubdomain::Sum(const Eigen::Array4d& values) const

@@ -21,6 +21,7 @@ public:
   bool OwnsTriangle(Index t) const override { return this->IsTriangleOwned[t]; }
   double Sum(double value) const override;
   Eigen::Array4d Sum(const Eigen::Array4d& values) const override;
+  double Norm(double part) const override;
   double Maximum(double value) const override;
   double Quantile(std::vector<double> values, double q) const override;
   Vector CumulativeShares(const Vector& values, const Mask& counts) const override;

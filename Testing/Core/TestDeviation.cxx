@@ -151,10 +151,10 @@ void CheckCancel(Checks& c)
     }
     bool IsCancelled() override { return --this->Patience < 0; }
   };
-  const TestMesh mesh = Irregular(Icosphere(2), 0.08);
+  const TestMesh mesh = Irregular(Icosphere(1), 0.08);
   Index cancelled = 0;
   double excess = 0;
-  for (int patience = 5; patience < 300; patience += 24)
+  for (int patience = 2; patience < 100; patience += 5)
   {
     Impatient monitor(patience);
     const Outcome outcome = Run(mesh, WithinDeviation(0.002), monitor);
