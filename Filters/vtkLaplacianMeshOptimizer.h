@@ -370,9 +370,8 @@ public:
 
   ///@{
   /**
-   * For SMOOTH_GUIDED: iterations of the first filter of normals, 0 or more; 20 for strong
-   * noise. The second and the third have a quarter of them.
-   * Default: 10.
+   * For SMOOTH_GUIDED: iterations of the filter of normals, 0 or more; 20 for strong noise. Each
+   * of the three filters takes half of them. Default: 10.
    */
   vtkSetMacro(NormalIterations, int);
   vtkGetMacro(NormalIterations, int);
@@ -381,7 +380,8 @@ public:
   ///@{
   /**
    * For SMOOTH_GUIDED: the difference of two unit normals beyond which they no longer influence
-   * each other. More than 0. Larger values round off blunt edges. Default: 0.25.
+   * each other; 0.4 times that in the second and third filter. More than 0. Larger values round off
+   * blunt edges. Default: 0.25.
    */
   vtkSetMacro(NormalWidth, double);
   vtkGetMacro(NormalWidth, double);

@@ -17,11 +17,11 @@ namespace lmo
 namespace
 {
 /// Mode::SMOOTH_GUIDED: the scale factor of the smoothing that the first normals come from, how
-/// often normals are filtered and followed, and by what the iterations of the filter are divided
-/// after the first time, when it meets little noise.
+/// often normals are filtered and followed, and the factor of the filter's width after the first
+/// time, when little noise is left.
 constexpr double FirstSmoothing = 0.75;
 constexpr int GuidedRounds = 3;
-constexpr int LaterShare = 4;
+constexpr double LaterWidth = 0.4;
 
 template <typename Values>
 void Reorder(const MeshOrder& order, std::optional<Values>& array)
@@ -188,18 +188,18 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   const Triangles& T = mesh.GetTriangles();
   const MeshTopology& topology = mesh.GetTopology();
   const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
-  int iterations = options.guide.normalIterations;
+  const int iterations = options.guide.normalIterations / 2 + options.guide.normalIterations % 2;
+  double width = options.guide.normalWidth;
   for (int round = 0; round < GuidedRounds; ++round)
   {
     monitor.Begin("Filtering normals");
-    const Points normals =
-      FilterNormals(result.positions, T, topology, iterations, options.guide.normalWidth, monitor);
+    const Points normals = FilterNormals(result.positions, T, topology, iterations, width, monitor);
     monitor.Begin("Following normals");
     const Solution solution = FollowNormals(V, T, topology, normals, problem.L, problem.motion,
       options.guide.detailWeight, result.positions - V, options.solver, monitor);
     Report(solution, options.solver, result);
     result.positions = V + solution.displacement;
-    iterations = options.guide.normalIterations / LaterShare;
+    width = LaterWidth * options.guide.normalWidth;
   }
   Project(lines, mesh, result.positions);
   if (options.preserveVolume)
