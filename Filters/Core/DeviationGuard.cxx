@@ -266,7 +266,8 @@ void DeviationGuard::Admit()
 {
   this->Admitted = this->Candidate;
   this->ToAdmitted = this->ToCandidate;
-  this->Dependents.clear();
+  this->Dependents = {};
+  this->LaterDependents.clear();
   ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitShape(t); });
 }
 
@@ -293,19 +294,45 @@ double DeviationGuard::GetBound() const
 
 void DeviationGuard::BuildDependents()
 {
-  this->Dependents.resize(this->T.rows());
-  for (Index t = 0; t < this->ToAdmitted.Size(); ++t)
+  const auto forEach = [this](const auto& visit)
   {
-    for (const Index used : this->ToAdmitted.Get(t).used)
+    for (Index t = 0; t < this->ToAdmitted.Size(); ++t)
     {
-      this->Dependents[used].push_back(t);
+      for (const Index used : this->ToAdmitted.Get(t).used)
+      {
+        visit(used, t);
+      }
+    }
+  };
+  std::vector<Index>& offsets = this->Dependents.offsets;
+  offsets.assign(this->T.rows() + 2, 0);
+  forEach([&](Index used, Index) { ++offsets[used + 2]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  this->Dependents.ids.resize(offsets.back());
+  forEach([&](Index used, Index t) { this->Dependents.ids[offsets[used + 1]++] = t; });
+  offsets.pop_back();
+}
+
+std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& list) const
+{
+  std::vector<Index> dependent;
+  for (const Index t : list)
+  {
+    dependent.insert(dependent.end(), this->Dependents.Begin(t), this->Dependents.End(t));
+    const auto later = this->LaterDependents.find(t);
+    if (later != this->LaterDependents.end())
+    {
+      dependent.insert(dependent.end(), later->second.begin(), later->second.end());
     }
   }
+  std::sort(dependent.begin(), dependent.end());
+  dependent.erase(std::unique(dependent.begin(), dependent.end()), dependent.end());
+  return dependent;
 }
 
 bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
 {
-  if (this->Dependents.empty())
+  if (this->Dependents.offsets.empty())
   {
     this->Tree.Refit();
     this->BuildDependents();
@@ -331,12 +358,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
                     this->FindAstray(changed, unwatched).empty();
   if (isAdmitted)
   {
-    for (const Index t : changed)
-    {
-      originals.insert(originals.end(), this->Dependents[t].begin(), this->Dependents[t].end());
-    }
-    std::sort(originals.begin(), originals.end());
-    originals.erase(std::unique(originals.begin(), originals.end()), originals.end());
+    originals = this->FindDependent(changed);
     this->Tree.Refit(changed);
     isAdmitted = this->ToCandidate
                    .Check(originals, this->Original, this->CandidateView(), this->Tree,
@@ -355,7 +377,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
       this->ToAdmitted.Set(t, this->ToCandidate.Get(t));
       for (const Index used : this->ToAdmitted.Get(t).used)
       {
-        this->Dependents[used].push_back(t);
+        this->LaterDependents[used].push_back(t);
       }
     }
     return true;

@@ -5,6 +5,8 @@
 
 #include "DistanceProofs.h"
 
+#include <unordered_map>
+
 namespace lmo
 {
 /// Judges motions of a mesh's vertices: every point of the moved surface has to stay within a
@@ -88,6 +90,9 @@ private:
   void AdmitShape(Index t);
   void BuildDependents();
 
+  /// The original triangles whose proofs in ToAdmitted need one of the list.
+  std::vector<Index> FindDependent(const std::vector<Index>& list) const;
+
   const Points& Original;
   const Triangles& T;
   const MeshTopology& Topology;
@@ -109,7 +114,8 @@ private:
   DistanceProofs ToAdmitted;       ///< the original triangles are close to the admitted mesh
   std::vector<Index> Open;         ///< triangles of the candidate that failed in the last check
   std::vector<Index> OpenOriginal; ///< the same of the original mesh
-  std::vector<std::vector<Index>> Dependents; ///< whose proofs in ToAdmitted need each triangle
+  AdjacencyLists Dependents;       ///< whose proofs in ToAdmitted need each triangle
+  std::unordered_map<Index, std::vector<Index>> LaterDependents; ///< since that was built
 };
 }
 

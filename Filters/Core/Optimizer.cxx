@@ -212,6 +212,7 @@ void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const Verte
   const FeatureLines& lines, Monitor& monitor, OptimizerResult& result)
 {
   const MotionConstraints motion = ChooseMotion(this->Mesh->GetTopology(), options, arrays, lines);
+  monitor.Report(0);
   DeviationResult deviation = OptimizeWithinDeviation(*this->Mesh, options, lines, motion, monitor);
   result.positions = std::move(deviation.positions);
   result.positionWeights = std::move(deviation.positionWeights);
