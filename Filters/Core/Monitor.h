@@ -57,6 +57,7 @@ public:
   }
 
 protected:
+  void ShowStage(const char* stage) override { this->Whole.Begin(stage); }
   void ShowProgress(double fraction) override
   {
     this->Whole.Report(this->First + this->Length * fraction);

@@ -23,6 +23,9 @@ constexpr double FirstSmoothing = 0.75;
 constexpr int GuidedRounds = 3;
 constexpr double LaterWidth = 0.4;
 
+/// Tolerance of the solutions that only lead to the next normals.
+constexpr double RoughTolerance = 1e-3;
+
 template <typename Values>
 void Reorder(const MeshOrder& order, std::optional<Values>& array)
 {
@@ -182,7 +185,9 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   smoothing.scaleFactor = FirstSmoothing;
   smoothing.boundaryCondition = options.boundaryCondition;
   smoothing.solver = options.solver;
-  this->SolveOnce(smoothing, arrays, lines, monitor, result);
+  const double share = 1.0 / (GuidedRounds + 1); // of the time
+  PartialMonitor first(monitor, 0, share);
+  this->SolveOnce(smoothing, arrays, lines, first, result);
 
   const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
@@ -190,14 +195,21 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
   const int iterations = options.guide.normalIterations / 2 + options.guide.normalIterations % 2;
   double width = options.guide.normalWidth;
-  for (int round = 0; round < GuidedRounds; ++round)
+  SolverOptions solver = options.solver;
+  for (int round = 1; round <= GuidedRounds; ++round)
   {
-    monitor.Begin("Filtering normals");
-    const Points normals = FilterNormals(result.positions, T, topology, iterations, width, monitor);
-    monitor.Begin("Following normals");
+    solver.tolerance = round < GuidedRounds ? std::max(RoughTolerance, options.solver.tolerance)
+                                            : options.solver.tolerance;
+    PartialMonitor filtering(monitor, round * share, (round + 0.3) * share);
+    filtering.Begin("Filtering normals");
+    const Points normals =
+      FilterNormals(result.positions, T, topology, iterations, width, filtering);
+    PartialMonitor following(monitor, (round + 0.3) * share, (round + 1) * share);
+    following.Begin("Following normals");
     const Solution solution = FollowNormals(V, T, topology, normals, problem.L, problem.motion,
-      options.guide.detailWeight, result.positions - V, options.solver, monitor);
-    Report(solution, options.solver, result);
+      options.guide.detailWeight, result.positions - V, solver, following);
+    result.relativeResidual = 0; // the last one counts
+    Report(solution, solver, result);
     result.positions = V + solution.displacement;
     width = LaterWidth * options.guide.normalWidth;
   }
