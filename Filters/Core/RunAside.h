@@ -23,11 +23,20 @@ auto RunAside(Monitor& monitor, Work work)
   constexpr std::chrono::milliseconds pause(50);
   std::packaged_task<decltype(work())()> task(std::move(work));
   auto result = task.get_future();
-  std::thread(std::move(task)).detach();
-  while (result.wait_for(pause) != std::future_status::ready)
+  std::thread thread(std::move(task));
+  try
   {
-    monitor.Report(0);
+    while (result.wait_for(pause) != std::future_status::ready)
+    {
+      monitor.Report(0);
+    }
   }
+  catch (...)
+  {
+    thread.detach();
+    throw;
+  }
+  thread.join(); // it frees what work() owns
   return result.get();
 }
 }

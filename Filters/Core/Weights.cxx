@@ -7,6 +7,19 @@
 
 namespace lmo
 {
+namespace
+{
+/// The values with 24 binary digits, by Veltkamp's splitting: those that are equal but for
+/// round-off get one rank, whatever the numbering of the vertices.
+Vector WithoutRoundOff(const Vector& values)
+{
+  constexpr double largest = 1e290;
+  const Vector limited = values.cwiseMin(largest);
+  const Vector product = ((1 << 29) + 1) * limited;
+  return product - (product - limited);
+}
+}
+
 CurvatureStatistics ComputeStatistics(
   const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain)
 {
@@ -54,7 +67,7 @@ Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statis
 
 Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain)
 {
-  return subdomain.CumulativeShares(curvatures, subdomain.OwnedOf(isUsed));
+  return subdomain.CumulativeShares(WithoutRoundOff(curvatures), subdomain.OwnedOf(isUsed));
 }
 
 Vector ComplementWeights(const Vector& weights)

@@ -31,7 +31,7 @@ CurvatureStatistics ComputeStatistics(
 Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statistics);
 
 /// Eqn. 13: C(kappa), the share of the vertices that count whose curvature is at most kappa, in
-/// [0, 1]; more than 0 at vertices that count.
+/// [0, 1]; more than 0 at vertices that count. Curvatures that differ by round-off count as equal.
 Vector CumulativeWeights(
   const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain = Subdomain());
 
