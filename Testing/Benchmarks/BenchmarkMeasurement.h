@@ -19,8 +19,9 @@ struct Stage
   const char* name;
   const char* title;
 };
-constexpr std::array<Stage, 5> Stages = { { { "Reading the mesh", "reading" },
+constexpr std::array<Stage, 7> Stages = { { { "Reading the mesh", "reading" },
   { "Setting up the equations", "setup" }, { "Solving", "solving" },
+  { "Filtering normals", "filtering" }, { "Following normals", "following" },
   { "Comparing the surfaces", "comparing" }, { "Writing the result", "writing" } } };
 
 /// One Update(). What is no vtkLaplacianMeshOptimizer has NoValue everywhere but in seconds.
