@@ -266,8 +266,7 @@ void DeviationGuard::Admit()
 {
   this->Admitted = this->Candidate;
   this->ToAdmitted = this->ToCandidate;
-  this->Dependents = {};
-  this->LaterDependents.clear();
+  this->Dependents.Clear();
   ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitShape(t); });
 }
 
@@ -292,50 +291,12 @@ double DeviationGuard::GetBound() const
   return bound;
 }
 
-void DeviationGuard::BuildDependents()
-{
-  const auto forEach = [this](const auto& visit)
-  {
-    for (Index t = 0; t < this->ToAdmitted.Size(); ++t)
-    {
-      for (const Index used : this->ToAdmitted.Get(t).used)
-      {
-        visit(used, t);
-      }
-    }
-  };
-  std::vector<Index>& offsets = this->Dependents.offsets;
-  offsets.assign(this->T.rows() + 2, 0);
-  forEach([&](Index used, Index) { ++offsets[used + 2]; });
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-  this->Dependents.ids.resize(offsets.back());
-  forEach([&](Index used, Index t) { this->Dependents.ids[offsets[used + 1]++] = t; });
-  offsets.pop_back();
-}
-
-std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& list) const
-{
-  std::vector<Index> dependent;
-  for (const Index t : list)
-  {
-    dependent.insert(dependent.end(), this->Dependents.Begin(t), this->Dependents.End(t));
-    const auto later = this->LaterDependents.find(t);
-    if (later != this->LaterDependents.end())
-    {
-      dependent.insert(dependent.end(), later->second.begin(), later->second.end());
-    }
-  }
-  std::sort(dependent.begin(), dependent.end());
-  dependent.erase(std::unique(dependent.begin(), dependent.end()), dependent.end());
-  return dependent;
-}
-
 bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
 {
-  if (this->Dependents.offsets.empty())
+  if (this->Dependents.IsEmpty())
   {
     this->Tree.Refit();
-    this->BuildDependents();
+    this->Dependents.Build(this->ToAdmitted);
   }
   const std::vector<Index> changed = this->TrianglesAt({ vertex });
   const AdjacencyLists& rings = this->Topology.oneRings;
@@ -358,7 +319,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
                     this->FindAstray(changed, unwatched).empty();
   if (isAdmitted)
   {
-    originals = this->FindDependent(changed);
+    originals = this->Dependents.Find(changed);
     this->Tree.Refit(changed);
     isAdmitted = this->ToCandidate
                    .Check(originals, this->Original, this->CandidateView(), this->Tree,
@@ -375,10 +336,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     for (const Index t : originals)
     {
       this->ToAdmitted.Set(t, this->ToCandidate.Get(t));
-      for (const Index used : this->ToAdmitted.Get(t).used)
-      {
-        this->LaterDependents[used].push_back(t);
-      }
+      this->Dependents.Add(t, this->ToAdmitted.Get(t));
     }
     return true;
   }

@@ -3,9 +3,7 @@
 #ifndef lmo_DeviationGuard_h
 #define lmo_DeviationGuard_h
 
-#include "DistanceProofs.h"
-
-#include <unordered_map>
+#include "DependentProofs.h"
 
 namespace lmo
 {
@@ -88,10 +86,6 @@ private:
   std::vector<Index> FindAstray(const std::vector<Index>& list, Monitor& monitor);
 
   void AdmitShape(Index t);
-  void BuildDependents();
-
-  /// The original triangles whose proofs in ToAdmitted need one of the list.
-  std::vector<Index> FindDependent(const std::vector<Index>& list) const;
 
   const Points& Original;
   const Triangles& T;
@@ -114,8 +108,7 @@ private:
   DistanceProofs ToAdmitted;       ///< the original triangles are close to the admitted mesh
   std::vector<Index> Open;         ///< triangles of the candidate that failed in the last check
   std::vector<Index> OpenOriginal; ///< the same of the original mesh
-  AdjacencyLists Dependents;       ///< whose proofs in ToAdmitted need each triangle
-  std::unordered_map<Index, std::vector<Index>> LaterDependents; ///< since that was built
+  DependentProofs Dependents;      ///< those of ToAdmitted
 };
 }
 

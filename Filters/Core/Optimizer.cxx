@@ -19,12 +19,24 @@ namespace
 /// Mode::SMOOTH_GUIDED: the scale factor of the smoothing that the first normals come from, how
 /// often normals are filtered and followed, and the factor of the filter's width after the first
 /// time, when little noise is left.
-constexpr double FirstSmoothing = 0.75;
+constexpr double FirstScaleFactor = 0.75;
 constexpr int GuidedRounds = 3;
 constexpr double LaterWidth = 0.4;
 
 /// Tolerance of the solutions that only lead to the next normals.
 constexpr double RoughTolerance = 1e-3;
+
+/// The smoothing that comes before the first filter of normals.
+OptimizerOptions FirstSmoothing(const OptimizerOptions& options)
+{
+  OptimizerOptions smoothing;
+  smoothing.mode = Mode::SMOOTH;
+  smoothing.positionWeighting = PositionWeighting::CONSTANT;
+  smoothing.scaleFactor = FirstScaleFactor;
+  smoothing.boundaryCondition = options.boundaryCondition;
+  smoothing.solver = options.solver;
+  return smoothing;
+}
 
 template <typename Values>
 void Reorder(const MeshOrder& order, std::optional<Values>& array)
@@ -179,12 +191,7 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result)
 {
   MeshAnalysis& mesh = *this->Mesh;
-  OptimizerOptions smoothing;
-  smoothing.mode = Mode::SMOOTH;
-  smoothing.positionWeighting = PositionWeighting::CONSTANT;
-  smoothing.scaleFactor = FirstSmoothing;
-  smoothing.boundaryCondition = options.boundaryCondition;
-  smoothing.solver = options.solver;
+  const OptimizerOptions smoothing = FirstSmoothing(options);
   const double share = 1.0 / (GuidedRounds + 1); // of the time
   PartialMonitor first(monitor, 0, share);
   this->SolveOnce(smoothing, arrays, lines, first, result);

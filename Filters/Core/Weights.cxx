@@ -2,21 +2,28 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Weights.h"
 
+#include "Parallel.h"
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace lmo
 {
 namespace
 {
-/// The values with 24 binary digits, by Veltkamp's splitting: those that are equal but for
-/// round-off get one rank, whatever the numbering of the vertices.
-Vector WithoutRoundOff(const Vector& values)
+/// The value with 24 binary digits: values that are equal but for round-off get one rank, whatever
+/// the numbering of the vertices.
+double WithoutRoundOff(double value)
 {
-  constexpr double largest = 1e290;
-  const Vector limited = values.cwiseMin(largest);
-  const Vector product = ((1 << 29) + 1) * limited;
-  return product - (product - limited);
+  constexpr std::uint64_t half = std::uint64_t(1) << 28;
+  std::uint64_t bits = 0;
+  static_assert(sizeof(bits) == sizeof(value));
+  std::memcpy(&bits, &value, sizeof(bits));
+  bits = (bits + half) & ~(2 * half - 1);
+  std::memcpy(&value, &bits, sizeof(bits));
+  return value;
 }
 }
 
@@ -67,7 +74,10 @@ Vector LinearWeights(const Vector& curvatures, const CurvatureStatistics& statis
 
 Vector CumulativeWeights(const Vector& curvatures, const Mask& isUsed, const Subdomain& subdomain)
 {
-  return subdomain.CumulativeShares(WithoutRoundOff(curvatures), subdomain.OwnedOf(isUsed));
+  Vector rounded(curvatures.size());
+  ParallelFor(static_cast<Index>(curvatures.size()),
+    [&](Index i) { rounded[i] = WithoutRoundOff(curvatures[i]); });
+  return subdomain.CumulativeShares(rounded, subdomain.OwnedOf(isUsed));
 }
 
 Vector ComplementWeights(const Vector& weights)

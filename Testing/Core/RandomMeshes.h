@@ -5,6 +5,8 @@
 
 #include "TestMeshes.h"
 
+#include "Core/Optimizer.h"
+
 #include <functional>
 
 /// Choices from a seed, the same with every standard library.
@@ -32,6 +34,14 @@ public:
 
 private:
   std::mt19937 Engine;
+};
+
+/// What a seed gives.
+struct Sample
+{
+  TestMesh mesh;
+  lmo::VertexArrays arrays;
+  lmo::OptimizerOptions options;
 };
 
 /// Faults of one seed, an empty list if there are none.

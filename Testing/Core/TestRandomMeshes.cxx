@@ -21,13 +21,6 @@ using namespace lmo;
 
 namespace
 {
-struct Sample
-{
-  TestMesh mesh;
-  VertexArrays arrays;
-  OptimizerOptions options;
-};
-
 Sample MakeSample(unsigned seed)
 {
   Seeded seeded(seed);

@@ -79,6 +79,11 @@ void CheckOtherWeights(Checks& c)
   const Mask used = { 1, 0, 1, 0, 1 };
   c.Error("W_cdf is a share of the used vertices",
     Difference(CumulativeWeights(curvatures, used), Values({ 1, 0, 2.0 / 3, 0, 2.0 / 3 })), 1e-15);
+  c.Error("curvatures that differ by round-off have one rank, others have their own",
+    Difference(
+      CumulativeWeights(Values({ 3, 3 * (1 + 1e-15), 3 * (1 - 1e-15), 3.00001, 0 }), Mask(5, 1)),
+      Values({ 0.8, 0.8, 0.8, 1, 0.2 })),
+    1e-15);
   c.Error("the complement is 1 - W",
     Difference(ComplementWeights(Values({ 0, 0.25, 1 })), Values({ 1, 0.75, 0 })), 0);
   c.Error("Gaussian weights are exp(-kappa^2 / 2 sigma^2)",
