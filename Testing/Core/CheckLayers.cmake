@@ -19,6 +19,7 @@ set(layers
   ConvexityTest
   TriangleCover
   DistanceProofs
+  DependentProofs
   Ranking
   Features
   FeatureDetection
