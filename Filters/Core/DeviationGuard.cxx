@@ -7,6 +7,7 @@
 #include "TriangleGeometry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace lmo
@@ -54,15 +55,20 @@ double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology&
   return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
 }
 
+void AddOnce(Index t, Mask& isListed, std::vector<Index>& list)
+{
+  if (!isListed[t])
+  {
+    isListed[t] = true;
+    list.push_back(t);
+  }
+}
+
 void AddOnce(const std::vector<Index>& more, Mask& isListed, std::vector<Index>& list)
 {
   for (const Index t : more)
   {
-    if (!isListed[t])
-    {
-      isListed[t] = true;
-      list.push_back(t);
-    }
+    AddOnce(t, isListed, list);
   }
 }
 
@@ -165,8 +171,28 @@ bool DeviationGuard::IsTurned(Index t) const
          std::min(LeastCosine, this->AdmittedCosine[t]);
 }
 
+bool DeviationGuard::FacesAllAround(Index t) const
+{
+  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+  const auto isAside = [&](Index corner)
+  { return this->Normals.row(corner / 3).dot(this->Normals.row(t)) < 0; };
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index i = this->T(t, k);
+    if (!this->Topology.IsHub(i) && std::any_of(cornersAt.Begin(i), cornersAt.End(i), isAside))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 bool DeviationGuard::IsInverted(Index t) const
 {
+  if (this->FacesAllAround(t))
+  {
+    return false;
+  }
   const double cosine = CosineToVertices(this->Candidate, this->T, this->Topology, t);
   return cosine < 0 && cosine < CosineToVertices(this->Admitted, this->T, this->Topology, t);
 }
@@ -201,15 +227,38 @@ std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Mo
   return astray;
 }
 
+bool DeviationGuard::Carry(Index t)
+{
+  const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(t);
+  double farthest = 0;
+  for (const Index u : admitted.used)
+  {
+    for (const Index i : { this->T(u, 0), this->T(u, 1), this->T(u, 2) })
+    {
+      const Vector3 motion = this->Candidate.row(i) - this->Admitted.row(i);
+      farthest = std::max(farthest, motion.squaredNorm());
+    }
+  }
+  const double bound = admitted.heights.Largest() + std::sqrt(farthest);
+  if (!(bound <= this->Distance))
+  {
+    return false;
+  }
+  this->ToCandidate.Set(t, { admitted.seed, { -bound, bound }, admitted.used });
+  return true;
+}
+
 std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   const std::vector<Index>& vertices, double leastQuality, Monitor& monitor)
 {
   this->Tree.Invalidate();
   std::vector<Index> changed;
   Mask isListed(this->T.rows(), false);
+  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
   for (const Index i : vertices)
   {
-    AddOnce(this->TrianglesAt({ i }), isListed, changed);
+    std::for_each(cornersAt.Begin(i), cornersAt.End(i),
+      [&](Index corner) { AddOnce(corner / 3, isListed, changed); });
   }
   std::vector<Index> originals = this->ToCandidate.FindDependent(isListed);
   AddOnce(this->Open, isListed, changed);
@@ -234,6 +283,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   {
     failures.push_back({ t, {} });
   }
+  Split(originals, monitor, [this](Index t) { return this->Carry(t); });
   this->OpenOriginal.clear();
   for (const DistanceProofs::Failure& failure : this->ToCandidate.Check(
          originals, this->Original, this->CandidateView(), this->Tree, this->Distance, monitor))
@@ -265,7 +315,7 @@ void DeviationGuard::AdmitShape(Index t)
 void DeviationGuard::Admit()
 {
   this->Admitted = this->Candidate;
-  this->ToAdmitted = this->ToCandidate;
+  this->ToAdmitted.Assign(this->ToCandidate);
   this->Dependents.Clear();
   ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitShape(t); });
 }
@@ -273,7 +323,7 @@ void DeviationGuard::Admit()
 void DeviationGuard::Reject()
 {
   this->Candidate = this->Admitted;
-  this->ToCandidate = this->ToAdmitted;
+  this->ToCandidate.Assign(this->ToAdmitted);
   this->Tree.Invalidate();
   this->Open.clear();
   this->OpenOriginal.clear();

@@ -74,8 +74,17 @@ private:
   bool IsFolded(Index t) const;
   bool IsTurned(Index t) const;
 
+  /// True if the triangle faces the same side as all that meet it: it is not inverted then, since
+  /// the vertex normals are sums of theirs.
+  bool FacesAllAround(Index t) const;
+
   /// True if the triangle faces away from the vertex normals at its corners, more than before.
   bool IsInverted(Index t) const;
+
+  /// Proves an original triangle by the proof that is admitted, if the motion since then leaves
+  /// enough of the distance: a point of a triangle moves no farther than its corners.
+  /// \return whether it does
+  bool Carry(Index t);
 
   /// Moves the triangles of the list that are beyond a limit to the result.
   template <typename IsBeyond>

@@ -72,6 +72,12 @@ DistanceProofs::DistanceProofs(Index triangles)
     });
 }
 
+void DistanceProofs::Assign(const DistanceProofs& other)
+{
+  this->Proofs.resize(other.Proofs.size());
+  ParallelFor(this->Size(), [&](Index t) { this->Proofs[t] = other.Proofs[t]; });
+}
+
 std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Index>& list,
   const Points& V, const SurfaceView& mesh, TriangleTree& tree, double distance, Monitor& monitor)
 {

@@ -40,6 +40,10 @@ public:
 
   const Proof& Get(Index triangle) const { return this->Proofs[triangle]; }
   void Set(Index triangle, Proof proof) { this->Proofs[triangle] = std::move(proof); }
+
+  /// Copies all proofs of as many triangles.
+  void Assign(const DistanceProofs& other);
+
   Index Size() const { return static_cast<Index>(this->Proofs.size()); }
 
   /// The triangles whose proofs need one of the marked ones.

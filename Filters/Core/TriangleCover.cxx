@@ -62,36 +62,47 @@ struct Piece
   int size = 0;
 };
 
+/// Keeps what has the k-th barycentric coordinate >= 0.
+void Clip(Piece& piece, int k)
+{
+  double sides[8];
+  bool isOutside = false;
+  for (int i = 0; i < piece.size; ++i)
+  {
+    sides[i] = Barycentric(piece.corners[i], k);
+    isOutside = isOutside || sides[i] < 0;
+  }
+  if (!isOutside)
+  {
+    return;
+  }
+  const Piece whole = piece;
+  piece.size = 0;
+  for (int i = 0; i < whole.size; ++i)
+  {
+    const int next = i + 1 < whole.size ? i + 1 : 0;
+    const Eigen::Vector3d& p = whole.corners[i];
+    const Eigen::Vector3d& q = whole.corners[next];
+    if (sides[i] >= 0)
+    {
+      piece.corners[piece.size++] = p;
+    }
+    if ((sides[i] >= 0) != (sides[next] >= 0))
+    {
+      piece.corners[piece.size++] = p + sides[i] / (sides[i] - sides[next]) * (q - p);
+    }
+  }
+}
+
 Piece Clip(const Eigen::Vector3d corners[3])
 {
-  Eigen::Vector3d polygon[2][8];
-  int size = 3;
-  std::copy(corners, corners + 3, polygon[0]);
+  Piece piece;
+  piece.size = 3;
+  std::copy(corners, corners + 3, piece.corners);
   for (int k = 0; k < 3; ++k)
   {
-    const Eigen::Vector3d* in = polygon[k % 2];
-    Eigen::Vector3d* out = polygon[(k + 1) % 2];
-    int count = 0;
-    for (int i = 0; i < size; ++i)
-    {
-      const Eigen::Vector3d& p = in[i];
-      const Eigen::Vector3d& q = in[(i + 1) % size];
-      const double atP = Barycentric(p, k);
-      const double atQ = Barycentric(q, k);
-      if (atP >= 0)
-      {
-        out[count++] = p;
-      }
-      if ((atP >= 0) != (atQ >= 0))
-      {
-        out[count++] = p + atP / (atP - atQ) * (q - p);
-      }
-    }
-    size = count;
+    Clip(piece, k);
   }
-  Piece piece;
-  piece.size = size;
-  std::copy(polygon[1], polygon[1] + size, piece.corners);
   return piece;
 }
 }
