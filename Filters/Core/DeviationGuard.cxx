@@ -20,6 +20,9 @@ constexpr double LeastCosine = 0.3;
 /// Least cosine of the angle between two triangles with a common edge.
 constexpr double LeastCosineAtEdge = -0.5;
 
+/// Share of the distance up to which heights over the original surface may be rough.
+constexpr double CarriedShare = 0.5;
+
 /// Share of the distance that round-off may not use.
 constexpr double Margin = 1e-6;
 
@@ -217,8 +220,10 @@ std::vector<Index> DeviationGuard::Split(
 std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Monitor& monitor)
 {
   std::vector<Index> astray;
+  std::vector<Index> open = list;
+  Split(open, monitor, [this](Index t) { return this->CarryToOriginal(t); });
   for (const DistanceProofs::Failure& failure : this->ToOriginal.Check(
-         list, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance, monitor))
+         open, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance, monitor))
   {
     astray.push_back(failure.triangle);
   }
@@ -227,24 +232,48 @@ std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Mo
   return astray;
 }
 
-bool DeviationGuard::Carry(Index t)
+double DeviationGuard::MotionOf(Index t) const
+{
+  double farthest = 0;
+  for (const Index i : { this->T(t, 0), this->T(t, 1), this->T(t, 2) })
+  {
+    const Vector3 motion = this->Candidate.row(i) - this->Admitted.row(i);
+    farthest = std::max(farthest, motion.squaredNorm());
+  }
+  return std::sqrt(farthest);
+}
+
+bool DeviationGuard::CarryToCandidate(Index t)
 {
   const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(t);
   double farthest = 0;
   for (const Index u : admitted.used)
   {
-    for (const Index i : { this->T(u, 0), this->T(u, 1), this->T(u, 2) })
-    {
-      const Vector3 motion = this->Candidate.row(i) - this->Admitted.row(i);
-      farthest = std::max(farthest, motion.squaredNorm());
-    }
+    farthest = std::max(farthest, this->MotionOf(u));
   }
-  const double bound = admitted.heights.Largest() + std::sqrt(farthest);
-  if (!(bound <= this->Distance))
+  const HeightRange heights = admitted.heights.WidenedBy(farthest);
+  if (!(heights.Largest() <= this->Distance))
   {
     return false;
   }
-  this->ToCandidate.Set(t, { admitted.seed, { -bound, bound }, admitted.used });
+  this->ToCandidate.Set(t, { admitted.seed, heights, admitted.used });
+  return true;
+}
+
+bool DeviationGuard::CarryToOriginal(Index t)
+{
+  const HeightRange heights = this->AdmittedHeights[t].WidenedBy(this->MotionOf(t));
+  if (!(heights.Largest() <= CarriedShare * this->Distance))
+  {
+    return false;
+  }
+  const Index below = TriangleCover().FindCentre(CornersOf(this->Candidate, this->T, t),
+    this->OriginalView(), this->ToOriginal.Get(t).seed);
+  if (below < 0)
+  {
+    return false;
+  }
+  this->ToOriginal.Set(t, { below, heights, { below } });
   return true;
 }
 
@@ -283,7 +312,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   {
     failures.push_back({ t, {} });
   }
-  Split(originals, monitor, [this](Index t) { return this->Carry(t); });
+  Split(originals, monitor, [this](Index t) { return this->CarryToCandidate(t); });
   this->OpenOriginal.clear();
   for (const DistanceProofs::Failure& failure : this->ToCandidate.Check(
          originals, this->Original, this->CandidateView(), this->Tree, this->Distance, monitor))

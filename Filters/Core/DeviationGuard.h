@@ -84,7 +84,12 @@ private:
   /// Proves an original triangle by the proof that is admitted, if the motion since then leaves
   /// enough of the distance: a point of a triangle moves no farther than its corners.
   /// \return whether it does
-  bool Carry(Index t);
+  bool CarryToCandidate(Index t);
+
+  /// The same for a triangle of the candidate.
+  bool CarryToOriginal(Index t);
+
+  double MotionOf(Index t) const;
 
   /// Moves the triangles of the list that are beyond a limit to the result.
   template <typename IsBeyond>

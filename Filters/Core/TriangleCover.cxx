@@ -170,6 +170,12 @@ Index TriangleCover::FindCentre(const SurfaceView& mesh, Index seed) const
   return -1;
 }
 
+Index TriangleCover::FindCentre(
+  const TriangleCorners& triangle, const SurfaceView& mesh, Index seed)
+{
+  return this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
+}
+
 TriangleCover::Verdict TriangleCover::TestPiece(const SurfaceView& mesh, const TriangleTree* tree,
   Index t, const ProjectedTriangle& part, double distance)
 {
@@ -212,7 +218,7 @@ TriangleCover::Verdict TriangleCover::Test(const TriangleCorners& triangle, cons
   this->Used.clear();
   this->Closer.clear();
   this->Heights = {};
-  const Index centre = this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
+  const Index centre = this->FindCentre(triangle, mesh, seed);
   if (centre < 0)
   {
     return UNCLEAR;

@@ -37,6 +37,11 @@ struct HeightRange
     this->Add(other.highest);
   }
 
+  HeightRange WidenedBy(double distance) const
+  {
+    return { this->lowest - distance, this->highest + distance };
+  }
+
   double Largest() const { return std::max(-this->lowest, this->highest); }
   double Centre() const { return 0.5 * (this->lowest + this->highest); }
 };
@@ -64,7 +69,10 @@ public:
   Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, const TriangleTree* tree,
     Index seed, double distance);
 
-  /// The mesh's triangle over the centre, or -1: the next seed.
+  /// The mesh's triangle over the centre of \a triangle, or -1.
+  Index FindCentre(const TriangleCorners& triangle, const SurfaceView& mesh, Index seed);
+
+  /// The same that Test() has found: the next seed.
   Index GetCentre() const { return this->Used.empty() ? -1 : this->Used[0]; }
 
   /// The triangles that the verdict is based on; the last is the one that is BEYOND.
