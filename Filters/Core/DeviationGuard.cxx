@@ -3,60 +3,20 @@
 #include "DeviationGuard.h"
 
 #include "Parallel.h"
-#include "Quality.h"
 #include "TriangleGeometry.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace lmo
 {
 namespace
 {
-/// Least cosine of the angle between a triangle and the original surface at its centre.
-constexpr double LeastCosine = 0.3;
-
-/// Least cosine of the angle between two triangles with a common edge.
-constexpr double LeastCosineAtEdge = -0.5;
-
 /// Share of the distance up to which heights over the original surface may be rough.
 constexpr double CarriedShare = 0.5;
 
 /// Share of the distance that round-off may not use.
 constexpr double Margin = 1e-6;
-
-/// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
-/// degenerate triangles turn it less than the triangle's own.
-Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& topology)
-{
-  const Points vertexNormals = VertexNormals(V, T, topology);
-  Points normals(T.rows(), 3);
-  ParallelFor(static_cast<Index>(T.rows()),
-    [&](Index t)
-    {
-      const Vector3 sum =
-        vertexNormals.row(T(t, 0)) + vertexNormals.row(T(t, 1)) + vertexNormals.row(T(t, 2));
-      normals.row(t) = sum.stableNormalized();
-    });
-  return normals;
-}
-
-/// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
-/// corners, without those of hubs, which hardly change.
-double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
-{
-  Vector3 sum = Vector3::Zero();
-  for (int k = 0; k < 3; ++k)
-  {
-    const Index i = T(t, k);
-    if (!topology.IsHub(i))
-    {
-      sum += VertexNormal(V, T, topology, i);
-    }
-  }
-  return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
-}
 
 void AddOnce(Index t, Mask& isListed, std::vector<Index>& list)
 {
@@ -91,26 +51,16 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   , Topology(topology)
   , Distance((1 - Margin) * distance)
   , Neighbours(FindTriangleNeighbours(triangles, topology))
-  , ReferenceNormals(SmoothedNormals(V, triangles, topology))
   , Admitted(V)
   , Candidate(V)
-  , AdmittedNormals(triangles.rows(), 3)
-  , Normals(triangles.rows(), 3)
-  , AdmittedQuality(triangles.rows())
-  , Quality(triangles.rows())
-  , AdmittedCosine(triangles.rows())
+  , Shapes(this->Admitted, this->Candidate, triangles, topology, this->Neighbours)
   , AdmittedHeights(triangles.rows())
   , OriginalTree(this->Original, triangles, monitor)
   , Tree(this->Candidate, this->OriginalTree)
   , ToOriginal(static_cast<Index>(triangles.rows()))
   , ToCandidate(static_cast<Index>(triangles.rows()))
-  , ToAdmitted(0)
+  , ToAdmitted(this->ToCandidate)
 {
-  monitor.Report(0);
-  std::vector<Index> all(triangles.rows());
-  std::iota(all.begin(), all.end(), 0);
-  this->UpdateShapes(all);
-  this->Admit();
   monitor.Report(0);
 }
 
@@ -130,74 +80,11 @@ std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertice
   return triangles;
 }
 
-void DeviationGuard::UpdateShapes(const std::vector<Index>& triangles)
-{
-  ParallelFor(static_cast<Index>(triangles.size()),
-    [&](Index k)
-    {
-      const Index t = triangles[k];
-      this->Normals.row(t) = ScaledNormal(this->Candidate, this->T, t).stableNormalized();
-      this->Quality[t] = RadiusRatio(this->Candidate.row(this->T(t, 0)),
-        this->Candidate.row(this->T(t, 1)), this->Candidate.row(this->T(t, 2)));
-    });
-}
-
 bool DeviationGuard::IsMoved(Index t) const
 {
   return this->Candidate.row(this->T(t, 0)) != this->Admitted.row(this->T(t, 0)) ||
          this->Candidate.row(this->T(t, 1)) != this->Admitted.row(this->T(t, 1)) ||
          this->Candidate.row(this->T(t, 2)) != this->Admitted.row(this->T(t, 2));
-}
-
-bool DeviationGuard::IsFolded(Index t) const
-{
-  for (int k = 0; k < 3; ++k)
-  {
-    const Index neighbour = this->Neighbours(t, k);
-    if (neighbour != NoNeighbour)
-    {
-      const double limit = std::min(
-        LeastCosineAtEdge, this->AdmittedNormals.row(t).dot(this->AdmittedNormals.row(neighbour)));
-      if (this->Normals.row(t).dot(this->Normals.row(neighbour)) < limit)
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-bool DeviationGuard::IsTurned(Index t) const
-{
-  const Index below = this->ToOriginal.Get(t).seed;
-  return this->Normals.row(t).dot(this->ReferenceNormals.row(below)) <
-         std::min(LeastCosine, this->AdmittedCosine[t]);
-}
-
-bool DeviationGuard::FacesAllAround(Index t) const
-{
-  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
-  const auto isAside = [&](Index corner)
-  { return this->Normals.row(corner / 3).dot(this->Normals.row(t)) < 0; };
-  for (int k = 0; k < 3; ++k)
-  {
-    const Index i = this->T(t, k);
-    if (!this->Topology.IsHub(i) && std::any_of(cornersAt.Begin(i), cornersAt.End(i), isAside))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool DeviationGuard::IsInverted(Index t) const
-{
-  if (this->FacesAllAround(t))
-  {
-    return false;
-  }
-  const double cosine = CosineToVertices(this->Candidate, this->T, this->Topology, t);
-  return cosine < 0 && cosine < CosineToVertices(this->Admitted, this->T, this->Topology, t);
 }
 
 template <typename IsBeyond>
@@ -228,7 +115,7 @@ std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Mo
     astray.push_back(failure.triangle);
   }
   std::copy_if(list.begin(), list.end(), std::back_inserter(astray),
-    [this](Index t) { return this->IsTurned(t); });
+    [this](Index t) { return this->Shapes.IsTurned(t, this->ToOriginal.Get(t).seed); });
   return astray;
 }
 
@@ -267,8 +154,8 @@ bool DeviationGuard::CarryToOriginal(Index t)
   {
     return false;
   }
-  const Index below = TriangleCover().FindCentre(CornersOf(this->Candidate, this->T, t),
-    this->OriginalView(), this->ToOriginal.Get(t).seed);
+  const Index below = TriangleCover().FindCentre(
+    CornersOf(this->Candidate, this->T, t), this->OriginalView(), this->ToOriginal.Get(t).seed);
   if (below < 0)
   {
     return false;
@@ -295,12 +182,12 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   AddOnce(originals, isListed);
   AddOnce(this->OpenOriginal, isListed, originals);
 
-  this->UpdateShapes(changed);
+  this->Shapes.Update(changed);
   std::vector<Index> bad = Split(changed, monitor,
     [&](Index t)
     {
-      return this->Quality[t] < std::min(leastQuality, this->AdmittedQuality[t]) ||
-             this->IsFolded(t) || this->IsInverted(t);
+      return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsFolded(t) ||
+             this->Shapes.IsInverted(t);
     });
   const std::vector<Index> astray = this->FindAstray(changed, monitor);
   bad.insert(bad.end(), astray.begin(), astray.end());
@@ -332,13 +219,10 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   return failures;
 }
 
-void DeviationGuard::AdmitShape(Index t)
+void DeviationGuard::AdmitTriangle(Index t)
 {
-  const Index below = this->ToOriginal.Get(t).seed;
-  this->AdmittedNormals.row(t) = this->Normals.row(t);
-  this->AdmittedQuality[t] = this->Quality[t];
+  this->Shapes.Admit(t, this->ToOriginal.Get(t).seed);
   this->AdmittedHeights[t] = this->ToOriginal.Get(t).heights;
-  this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
 }
 
 void DeviationGuard::Admit()
@@ -346,7 +230,7 @@ void DeviationGuard::Admit()
   this->Admitted = this->Candidate;
   this->ToAdmitted.Assign(this->ToCandidate);
   this->Dependents.Clear();
-  ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitShape(t); });
+  ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitTriangle(t); });
 }
 
 void DeviationGuard::Reject()
@@ -356,8 +240,7 @@ void DeviationGuard::Reject()
   this->Tree.Invalidate();
   this->Open.clear();
   this->OpenOriginal.clear();
-  this->Normals = this->AdmittedNormals;
-  this->Quality = this->AdmittedQuality;
+  this->Shapes.Reject();
 }
 
 double DeviationGuard::GetBound() const
@@ -382,7 +265,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   const std::vector<Index> neighbours =
     this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
   this->Move(vertex, position);
-  this->UpdateShapes(changed);
+  this->Shapes.Update(changed);
   Monitor unwatched;
   std::vector<DistanceProofs::Proof> proofs;
   proofs.reserve(changed.size());
@@ -391,11 +274,12 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     proofs.push_back(this->ToOriginal.Get(t));
   }
   std::vector<Index> originals;
-  bool isAdmitted = std::none_of(changed.begin(), changed.end(),
-                      [this](Index t) { return this->IsFolded(t) || this->IsInverted(t); }) &&
-                    std::none_of(neighbours.begin(), neighbours.end(),
-                      [this](Index t) { return this->IsInverted(t); }) &&
-                    this->FindAstray(changed, unwatched).empty();
+  bool isAdmitted =
+    std::none_of(changed.begin(), changed.end(),
+      [this](Index t) { return this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t); }) &&
+    std::none_of(neighbours.begin(), neighbours.end(),
+      [this](Index t) { return this->Shapes.IsInverted(t); }) &&
+    this->FindAstray(changed, unwatched).empty();
   if (isAdmitted)
   {
     originals = this->Dependents.Find(changed);
@@ -410,7 +294,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     this->Admitted.row(vertex) = position;
     for (const Index t : changed)
     {
-      this->AdmitShape(t);
+      this->AdmitTriangle(t);
     }
     for (const Index t : originals)
     {
@@ -420,7 +304,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     return true;
   }
   this->Move(vertex, this->Admitted.row(vertex));
-  this->UpdateShapes(changed);
+  this->Shapes.Update(changed);
   for (std::size_t k = 0; k < changed.size(); ++k)
   {
     this->ToOriginal.Set(changed[k], proofs[k]);

@@ -4,6 +4,7 @@
 #define lmo_DeviationGuard_h
 
 #include "DependentProofs.h"
+#include "ShapeLimits.h"
 
 namespace lmo
 {
@@ -34,7 +35,7 @@ public:
   const Points& GetAdmitted() const { return this->Admitted; }
 
   /// t of the admitted triangles.
-  const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
+  const Vector& GetAdmittedQuality() const { return this->Shapes.GetAdmittedQuality(); }
 
   /// Heights of the original surface over an admitted triangle.
   const HeightRange& GetHeights(Index t) const { return this->AdmittedHeights[t]; }
@@ -69,17 +70,7 @@ private:
   SurfaceView OriginalView() const { return { this->Original, this->T, this->Neighbours }; }
   SurfaceView CandidateView() const { return { this->Candidate, this->T, this->Neighbours }; }
 
-  void UpdateShapes(const std::vector<Index>& triangles);
   bool IsMoved(Index t) const;
-  bool IsFolded(Index t) const;
-  bool IsTurned(Index t) const;
-
-  /// True if the triangle faces the same side as all that meet it: it is not inverted then, since
-  /// the vertex normals are sums of theirs.
-  bool FacesAllAround(Index t) const;
-
-  /// True if the triangle faces away from the vertex normals at its corners, more than before.
-  bool IsInverted(Index t) const;
 
   /// Proves an original triangle by the proof that is admitted, if the motion since then leaves
   /// enough of the distance: a point of a triangle moves no farther than its corners.
@@ -99,21 +90,16 @@ private:
   /// The triangles of the list that are far from the original surface or turned against it.
   std::vector<Index> FindAstray(const std::vector<Index>& list, Monitor& monitor);
 
-  void AdmitShape(Index t);
+  void AdmitTriangle(Index t);
 
   const Points& Original;
   const Triangles& T;
   const MeshTopology& Topology;
   const double Distance;
   const Triangles Neighbours;
-  Points ReferenceNormals; ///< unit normals of the original triangles, smoothed
   Points Admitted;
   Points Candidate;
-  Points AdmittedNormals; ///< of the triangles
-  Points Normals;
-  Vector AdmittedQuality;
-  Vector Quality;
-  Vector AdmittedCosine;                    ///< of the angle to the reference normal
+  ShapeLimits Shapes;
   std::vector<HeightRange> AdmittedHeights; ///< of the original surface
   TriangleTree OriginalTree;
   TriangleTree Tree;               ///< of the candidate

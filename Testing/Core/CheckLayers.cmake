@@ -29,6 +29,7 @@ set(layers
   Laplacian
   RobustLaplacian
   Quality
+  ShapeLimits
   DeviationGuard
   NormalFilter
   Curvature
