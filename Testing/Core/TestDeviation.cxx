@@ -3,12 +3,14 @@
 #include "Checks.h"
 #include "TestMeasures.h"
 
+#include "Core/DeviationGuard.h"
 #include "Core/Optimizer.h"
 #include "Core/TriangleCover.h"
 #include "Core/TriangleTree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 using namespace lmo;
 
@@ -118,6 +120,39 @@ void CheckGuarantee(Checks& c)
   CheckPromises(c, "a coarse cube", Cube(), 0.01);
 }
 
+/// Scales a flat square in small steps until the guard forbids it.
+void CheckSteps(Checks& c, const std::string& name, double growth)
+{
+  constexpr double distance = 0.1;
+  const TestMesh square = Grid(10, 0);
+  const MeshTopology topology = BuildTopology(static_cast<Index>(square.V.rows()), square.T);
+  Monitor monitor;
+  DeviationGuard guard(square.V, square.T, topology, distance, monitor);
+  std::vector<Index> all(square.V.rows());
+  std::iota(all.begin(), all.end(), 0);
+  const Vector3 centre = square.V.colwise().mean();
+  double reached = 0;
+  double excess = 0;
+  for (int step = 1; step < 100; ++step)
+  {
+    for (const Index i : all)
+    {
+      guard.Move(i, centre + (1 + step * growth) * (square.V.row(i) - centre));
+    }
+    if (!guard.Check(all, 0, monitor).empty())
+    {
+      break;
+    }
+    guard.Admit();
+    const TestMesh moved{ guard.GetAdmitted(), square.T };
+    reached = std::max(DistanceOneWay(square, moved), DistanceOneWay(moved, square));
+    excess = Larger(excess, reached - guard.GetBound() - RoundOff);
+  }
+  c.Error(name + " stays within the guard's bound", excess, 0);
+  c.True(name + " comes to its end at the distance",
+    reached <= distance && reached > distance - 2 * std::abs(growth) * centre.norm());
+}
+
 void CheckFeatures(Checks& c)
 {
   const TestMesh cube = Cube(3);
@@ -172,6 +207,8 @@ int TestDeviation(int, char*[])
   Checks c;
   CheckDistances(c);
   CheckGuarantee(c);
+  CheckSteps(c, "a square that grows", 0.002);
+  CheckSteps(c, "a square that shrinks", -0.002);
   CheckFeatures(c);
   CheckCancel(c);
   return c.Result();
