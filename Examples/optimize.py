@@ -8,8 +8,10 @@ Wavelet source is taken.
   --preset NAME            a recommended combination of the options below:
                              smooth-model  better triangles on smooth shapes (default)
                              cad-model     better triangles, sharp edges stay
-                             denoise       remove noise from smooth shapes
-                             denoise-cad   remove noise, sharp edges stay
+                             denoise       remove slight noise from smooth shapes
+                             denoise-cad   remove slight noise, sharp edges stay
+                             remove-noise  remove strong noise, the volume stays
+                             remove-noise-cad  remove strong noise from flat faces
   --max-deviation NUMBER   the best triangles that leave the surface by no more than this fraction of
                            the bounding box's diagonal, which is proved; in place of a preset
   --mode NAME              triangles, smooth
@@ -40,6 +42,8 @@ PRESETS = {
     'cad-model': ImproveTriangleQualitynoRemeshCAD,
     'denoise': SmoothandFair,
     'denoise-cad': SmoothandFairCAD,
+    'remove-noise': RemoveNoise,
+    'remove-noise-cad': RemoveNoiseCAD,
 }
 
 

@@ -116,6 +116,23 @@ PRESETS = [
             "LaplacianWeighting": "Linear Complement",
         },
     ),
+    (
+        "BestTrianglesWithinError",
+        "BestTriangleswithinanErrornoRemesh",
+        {"Mode": "Optimize Within Deviation"},
+    ),
+    (
+        "RemoveNoise",
+        "RemoveNoise",
+        {
+            "Mode": "Smooth",
+            "PositionWeighting": "Constant",
+            "ScaleFactor": 0.2,
+            "PreserveVolume": 1,
+            "Twicing": 1,
+        },
+    ),
+    ("RemoveNoiseCAD", "RemoveNoiseCAD", {"Mode": "Smooth Guided"}),
 ]
 
 MENU = [*PROPERTIES, *(name for name, _, _ in PRESETS)]
@@ -455,7 +472,7 @@ class Presets(unittest.TestCase):
 
     def test_the_search_finds_them_by_their_jobs(self):
         labels = [prototype(name).GetXMLLabel().lower() for name in MENU]
-        for words in ["smooth", "fair", "remesh", "triangle quality", "laplacian mesh", "cad"]:
+        for words in ["smooth", "fair", "remesh", "triangle quality", "laplacian mesh", "cad", "noise"]:
             self.assertTrue(
                 any(all(word in label for word in words.split()) for label in labels), words
             )
