@@ -432,13 +432,36 @@ class Panel(unittest.TestCase):
             sorted(grouped), sorted(set(PROPERTIES["LaplacianMeshOptimizer"]) - {"Input"})
         )
 
+    def decorators(self, name):
+        hints = prototype("LaplacianMeshOptimizer").GetProperty(name).GetHints()
+        numbers = range(hints.GetNumberOfNestedElements() if hints else 0)
+        elements = [hints.GetNestedElement(number) for number in numbers]
+        return [one for one in elements if one.GetName() == "PropertyWidgetDecorator"]
+
     def test_decorators_name_properties(self):
-        optimizer = prototype("LaplacianMeshOptimizer")
         for name in PROPERTIES["LaplacianMeshOptimizer"]:
-            hints = optimizer.GetProperty(name).GetHints()
-            decorator = hints and hints.FindNestedElementByName("PropertyWidgetDecorator")
-            if decorator:
+            for decorator in self.decorators(name):
                 self.assertIn(decorator.GetAttribute("property"), ENUMERATIONS | NUMBERS, name)
+
+    def test_each_mode_shows_what_it_uses(self):
+        uses = {
+            "Optimize Triangles": {"ScaleFactor", "PositionWeighting", "FeatureAngle"},
+            "Smooth": {"LaplacianType", "ScaleFactor", "PositionWeighting", "FeatureAngle"},
+            "Prescribed Laplacians": {"LaplacianType", "ScaleFactor", "PositionWeighting"},
+            "Optimize Within Deviation": {"MaximumDeviation", "FeatureAngle"},
+            "Smooth Guided": {"NormalWidth"},
+        }
+        for mode, name in enumerate(uses):
+            shown = set()
+            for candidate in set().union(*uses.values()):
+                modes = [
+                    (element.GetAttribute("values") or element.GetAttribute("value")).split()
+                    for element in self.decorators(candidate)
+                    if element.GetAttribute("property") == "Mode"
+                ]
+                if all(str(mode) in values for values in modes):
+                    shown.add(candidate)
+            self.assertEqual(shown, uses[name], name)
 
 
 class Presets(unittest.TestCase):
