@@ -21,7 +21,7 @@ std::shared_ptr<Multigrid> InverseCache::GetMultigrid(
 }
 
 std::shared_ptr<StiffnessFactorisation> InverseCache::GetFactorisation(
-  std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
+  const std::shared_ptr<const ShiftedStiffness>& matrix, Monitor& monitor)
 {
   if (!this->Factorisation || !this->Factorisation->GetMatrix().IsEqualTo(*matrix))
   {

@@ -20,7 +20,7 @@ public:
   /// \throw SolverError if the matrix is singular.
   /// \throw Cancelled if the monitor says so.
   std::shared_ptr<StiffnessFactorisation> GetFactorisation(
-    std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
+    const std::shared_ptr<const ShiftedStiffness>& matrix, Monitor& monitor);
 
   /// How many have been made so far.
   int GetNumberOfHierarchies() const { return this->NumberOfHierarchies; }

@@ -64,8 +64,8 @@ Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& mo
   while (coarse.rows() > 0)
   {
     SparseRows coarser = this->AddLevel(SparseRowList(coarse), monitor);
-    this->Levels.back().A = std::move(coarse);
-    coarse = std::move(coarser);
+    this->Levels.back().A.swap(coarse);
+    coarse.swap(coarser);
   }
 }
 

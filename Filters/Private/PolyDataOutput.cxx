@@ -15,13 +15,14 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace lmo
 {
 namespace
 {
 template <typename Rows>
-vtkSmartPointer<vtkDoubleArray> CopyRows(const char* name, const Rows& rows)
+vtkSmartPointer<vtkDoubleArray> MoveRows(const char* name, Rows rows)
 {
   constexpr int columns = Rows::ColsAtCompileTime;
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
@@ -66,12 +67,12 @@ vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input)
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values)
 {
-  return CopyRows(name, values);
+  return MoveRows(name, std::move(values));
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values)
 {
-  return CopyRows(name, values);
+  return MoveRows(name, std::move(values));
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)

@@ -9,6 +9,23 @@
 #include <sstream>
 #include <string>
 
+#if defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define HAS_SANITIZER
+#endif
+#endif
+
+/// A test that tries many cases tries one in so many: a sanitizer slows it down a hundredfold.
+#ifdef HAS_SANITIZER
+constexpr int Thinning = 10;
+#else
+constexpr int Thinning = 1;
+#endif
+
+/// Steps of the grid of points over each triangle at which distances are compared: no power of two
+/// divides an edge into them.
+constexpr int GridSteps = Thinning > 1 ? 3 : 7;
+
 /// The larger of two errors; NaN is the largest.
 inline double Larger(double a, double b)
 {

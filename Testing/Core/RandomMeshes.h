@@ -62,7 +62,8 @@ public:
 /// triangles doubled, reversed or put elsewhere.
 TestMesh MakeRandomMesh(Seeded& seeded);
 
-/// Looks for faults of seeds 1 to \a count, or of the one that is the first argument.
+/// Looks for faults of seeds 1 to \a count, fewer with a sanitizer, or of the one that is the first
+/// argument.
 /// \param faultsOf text for a seed, empty if there are none
 /// \return exit code
 int CheckSeeds(

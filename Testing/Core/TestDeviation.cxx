@@ -16,9 +16,6 @@ using namespace lmo;
 
 namespace
 {
-/// Points of a grid over each triangle whose step is no power of two of the edge.
-constexpr int GridSteps = 7;
-
 constexpr double RoundOff = 1e-15;
 
 /// Largest distance of the points of \a from to the other mesh, found by trying every triangle.

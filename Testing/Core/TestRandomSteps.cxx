@@ -3,6 +3,7 @@
 
 // Properties of the modes with several steps on small meshes made from seeds. A failing property
 // names the seed, which alone repeats it:  lmoCoreTests TestRandomSteps SEED
+#include "Checks.h"
 #include "RandomMeshes.h"
 #include "TestMeasures.h"
 #include "TestOperators.h"
@@ -52,7 +53,7 @@ bool IsClose(const Vector3& x, const TestMesh& mesh, Eigen::Index hint, double d
 /// Tries points of a grid on each triangle, one by one.
 bool IsWithin(const TestMesh& mesh, const TestMesh& other, double distance)
 {
-  constexpr int steps = 7;
+  constexpr int steps = GridSteps;
   for (Eigen::Index t = 0; t < mesh.T.rows(); ++t)
   {
     for (int i = 0; i <= steps; ++i)
