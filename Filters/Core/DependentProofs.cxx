@@ -36,9 +36,16 @@ void DependentProofs::Build(const DistanceProofs& proofs)
 
 void DependentProofs::Add(Index triangle, const DistanceProofs::Proof& proof)
 {
+  const auto isIn = [triangle](auto begin, auto end)
+  { return std::find(begin, end, triangle) != end; };
   for (const Index used : proof.used)
   {
-    this->Added[used].push_back(triangle);
+    std::vector<Index>& added = this->Added[used];
+    if (!isIn(this->Listed.Begin(used), this->Listed.End(used)) &&
+        !isIn(added.begin(), added.end()))
+    {
+      added.push_back(triangle);
+    }
   }
 }
 

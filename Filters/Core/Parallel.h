@@ -23,7 +23,12 @@ constexpr Index ParallelGrain = 256;
 template <typename Body>
 void ParallelTasks(Index count, const Body& body)
 {
-  if (ThreadTeam* team = count > 1 ? ThreadTeam::Current() : nullptr)
+  if (count == 1)
+  {
+    body(0);
+    return;
+  }
+  if (ThreadTeam* team = ThreadTeam::Current())
   {
     team->Run(count, body);
     return;
@@ -45,7 +50,8 @@ void ParallelRanges(Index count, const Body& body, Index block = ParallelBlock)
 {
   const Index blocks = count / block + (count % block != 0);
   // Several ranges for each thread even out their speeds; more would cost in overhead.
-  const Index ranges = std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads());
+  const Index ranges =
+    blocks > 1 ? std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads()) : blocks;
   ParallelTasks(ranges,
     [&](Index range)
     {

@@ -18,6 +18,7 @@ constexpr double Lengths[] = { 0.4, 0.2, 0.1, 0.05, 0.02 }; ///< in mean edge le
 constexpr int MostSweeps = 10;
 constexpr int MostMoves = 10; ///< of a vertex at once
 constexpr double SmallestGain = 1e-3;
+constexpr double LargestLoss = 2e-3; ///< of t_mean, at which triangles are raised
 
 class Search
 {
@@ -29,6 +30,8 @@ public:
     , Topology(topology)
     , Motion(motion)
     , Place(place)
+    , LossLeft(LargestLoss * static_cast<double>(triangles.rows()))
+    , IsExhausted(topology.vertices, false)
   {
   }
 
@@ -139,10 +142,9 @@ private:
   }
 
   /// The positions around the vertex that raise its minimum, best first.
-  std::vector<Proposal> Propose(Index vertex, double goal) const
+  std::vector<Proposal> Propose(Index vertex, const Shape& before, double goal) const
   {
     const Vector3 here = this->Guard.GetAdmitted().row(vertex);
-    const double minimum = this->ShapeAt(vertex, here).minimum;
     const double unit = this->MeanEdgeLength(vertex);
     std::vector<Proposal> proposals;
     for (const Vector3& direction : this->DirectionsOf(vertex))
@@ -151,7 +153,8 @@ private:
       {
         const Vector3 position = this->Place(vertex, here + length * unit * direction);
         const Shape shape = this->ShapeAt(vertex, position);
-        if (shape.minimum > minimum + SmallestGain)
+        if (shape.minimum > before.minimum + SmallestGain &&
+            before.sum - shape.sum <= this->LossLeft)
         {
           proposals.push_back({ shape, position });
         }
@@ -165,22 +168,29 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED)
+    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED || this->IsExhausted[vertex])
     {
       return false;
     }
-    for (int move = 0;
-         move < MostMoves &&
-         (move == 0 || this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex)).minimum < goal);
-         ++move)
+    for (int move = 0; move < MostMoves; ++move)
     {
-      const std::vector<Proposal> proposals = this->Propose(vertex, goal);
-      const bool isAdmitted = std::any_of(proposals.begin(), proposals.end(),
-        [&](const Proposal& proposal) { return this->Guard.TryMove(vertex, proposal.position); });
-      if (!isAdmitted)
+      const Shape before = this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex));
+      if (move > 0 && before.minimum >= goal)
       {
+        return true;
+      }
+      const std::vector<Proposal> proposals = this->Propose(vertex, before, goal);
+      const auto admitted = std::find_if(proposals.begin(), proposals.end(),
+        [&](const Proposal& proposal) { return this->Guard.TryMove(vertex, proposal.position); });
+      if (admitted == proposals.end())
+      {
+        this->IsExhausted[vertex] = true;
         return move > 0;
       }
+      this->LossLeft += admitted->shape.sum - before.sum;
+      const AdjacencyLists& rings = this->Topology.oneRings;
+      std::for_each(
+        rings.Begin(vertex), rings.End(vertex), [this](Index j) { this->IsExhausted[j] = false; });
     }
     return true;
   }
@@ -190,6 +200,8 @@ private:
   const MeshTopology& Topology;
   const MotionConstraints& Motion;
   const PlaceVertex& Place;
+  double LossLeft;  ///< of the sum of all t
+  Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
 };
 }
 
