@@ -37,6 +37,9 @@ public:
   /// t of the admitted triangles.
   const Vector& GetAdmittedQuality() const { return this->Shapes.GetAdmittedQuality(); }
 
+  /// t of the triangles judged last.
+  const Vector& GetQuality() const { return this->Shapes.GetQuality(); }
+
   /// Heights of the original surface over an admitted triangle.
   const HeightRange& GetHeights(Index t) const { return this->AdmittedHeights[t]; }
 

@@ -43,6 +43,11 @@ double LeastQuality(int pass, const MeshQuality& input)
   return std::max(pass < 2 ? 0.1 : 0.3, input.minimum);
 }
 
+double MeanOf(const Vector& quality)
+{
+  return quality.size() > 0 ? quality.mean() : 0;
+}
+
 class Passes
 {
 public:
@@ -296,6 +301,11 @@ bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
       return false;
     }
   }
+  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAdmittedQuality()))
+  {
+    this->Guard.Reject(); // the weights that have grown make the next proposal another one
+    return true;
+  }
   this->Guard.Admit();
   ParallelFor(
     this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
@@ -314,11 +324,6 @@ Index Passes::CountRolledBack() const
 
 void Passes::Run(Monitor& monitor, DeviationResult& result)
 {
-  const auto meanQuality = [this]
-  {
-    const Vector& quality = this->Guard.GetAdmittedQuality();
-    return quality.size() > 0 ? quality.mean() : 0;
-  };
   const int passes = this->Options.deviation.passes;
   try
   {
@@ -328,7 +333,7 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       const Solution solution = this->Propose(part);
       result.iterations += solution.iterations;
       result.relativeResidual = solution.relativeResidual;
-      const double before = meanQuality();
+      const double before = MeanOf(this->Guard.GetAdmittedQuality());
       if (!this->Settle(
             solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
       {
@@ -336,7 +341,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
       }
       ++result.report.passes;
       result.report.rolledBack = this->CountRolledBack();
-      if (pass > 1 && meanQuality() < before + SmallestGain)
+      const double after = MeanOf(this->Guard.GetAdmittedQuality());
+      if (pass > 1 && after > before && after < before + SmallestGain)
       {
         break;
       }

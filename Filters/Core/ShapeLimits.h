@@ -22,6 +22,9 @@ public:
   /// t of the admitted triangles.
   const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
 
+  /// t of the candidate's triangles.
+  const Vector& GetQuality() const { return this->Quality; }
+
   /// Says which of the candidate's triangles have changed.
   void Update(const std::vector<Index>& triangles);
 

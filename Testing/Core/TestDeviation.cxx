@@ -171,6 +171,25 @@ void CheckFeatures(Checks& c)
   c.True("a cube's edges are found", count(FeatureLines::EDGE) == 12 * 7);
 }
 
+void CheckPasses(Checks& c)
+{
+  // Where all triangles are long, what is left of most motions makes the mesh uneven.
+  const TestMesh globe = Globe(20, 50);
+  double loss = 0;
+  double previous = MeasureQuality(globe.V, globe.T).mean;
+  for (int passes = 1; passes <= 5; ++passes)
+  {
+    OptimizerOptions options = WithinDeviation(0.02);
+    options.deviation.passes = passes;
+    options.deviation.improveWorstTriangles = false;
+    Monitor monitor;
+    const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+    loss = Larger(loss, previous - mean);
+    previous = mean;
+  }
+  c.Error("no pass lowers the mean radius ratio", loss, RoundOff);
+}
+
 void CheckCancel(Checks& c)
 {
   /// Asks to stop after some questions.
@@ -207,6 +226,7 @@ int TestDeviation(int, char*[])
   CheckSteps(c, "a square that grows", 0.002);
   CheckSteps(c, "a square that shrinks", -0.002);
   CheckFeatures(c);
+  CheckPasses(c);
   CheckCancel(c);
   return c.Result();
 }

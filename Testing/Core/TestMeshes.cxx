@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestMeshes.h"
 
+#include "Core/TriangleGeometry.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -147,6 +149,26 @@ TestMesh HalfSphere(int level)
   return SphereFrom(MakeMesh({ { 1, 0, 0 }, { 0, 1, 0 }, { -1, 0, 0 }, { 0, -1, 0 }, { 0, 0, 1 } },
                       { { 0, 1, 4 }, { 1, 2, 4 }, { 2, 3, 4 }, { 3, 0, 4 } }),
     level, 1);
+}
+
+TestMesh Globe(int meridians, int parallels)
+{
+  const int rings = meridians * parallels;
+  TestMesh mesh{ Points(rings + 2, 3), Triangles(2 * rings, 3) };
+  for (int k = 0; k < rings; ++k)
+  {
+    const int ring = k / meridians;
+    const int next = ring * meridians + (k + 1) % meridians;
+    const double azimuth = 2 * Pi * (k % meridians) / meridians;
+    const double polar = Pi * (ring + 1) / (parallels + 1);
+    mesh.V.row(k) << std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth),
+      std::cos(polar);
+    mesh.T.row(2 * k) << next, (ring == 0 ? rings : k - meridians), k;
+    mesh.T.row(2 * k + 1) << k, (ring + 1 < parallels ? next + meridians : rings + 1), next;
+  }
+  mesh.V.row(rings) << 0, 0, 1;
+  mesh.V.row(rings + 1) << 0, 0, -1;
+  return mesh;
 }
 
 TestMesh Tetrahedron()

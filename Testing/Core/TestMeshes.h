@@ -64,6 +64,9 @@ TestMesh Cube(int level = 0);
 /// Sphere of 10 4^level + 2 vertices.
 TestMesh Icosphere(int level, double radius = 1);
 
+/// Unit sphere of quads between meridians and parallels, each cut in two; poles come last.
+TestMesh Globe(int meridians, int parallels);
+
 /// Tips (0, 0, 1) and (0, 0, -1) over a square; 8 triangles that are cut in four \a level times.
 TestMesh DoublePyramid(int level);
 
