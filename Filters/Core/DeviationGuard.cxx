@@ -227,10 +227,17 @@ void DeviationGuard::AdmitTriangle(Index t)
 
 void DeviationGuard::Admit()
 {
+  ParallelFor(static_cast<Index>(this->T.rows()),
+    [this](Index t)
+    {
+      if (this->IsMoved(t)) // else the proof at hand may be one of a position that was taken back
+      {
+        this->AdmitTriangle(t);
+      }
+    });
   this->Admitted = this->Candidate;
   this->ToAdmitted.Assign(this->ToCandidate);
   this->Dependents.Clear();
-  ParallelFor(static_cast<Index>(this->T.rows()), [this](Index t) { this->AdmitTriangle(t); });
 }
 
 void DeviationGuard::Reject()

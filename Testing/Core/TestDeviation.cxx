@@ -190,6 +190,17 @@ void CheckPasses(Checks& c)
   c.Error("no pass lowers the mean radius ratio", loss, RoundOff);
 }
 
+void CheckWorstTriangles(Checks& c)
+{
+  const TestMesh globe = Globe(80, 80); // has thousands of triangles below the goals
+  OptimizerOptions options = WithinDeviation(0.01);
+  Monitor monitor;
+  const double raised = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+  options.deviation.improveWorstTriangles = false;
+  const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+  c.Error("raising the worst triangles lowers the mean by .002 at most", mean - raised, 0.002);
+}
+
 void CheckCancel(Checks& c)
 {
   /// Asks to stop after some questions.
@@ -227,6 +238,7 @@ int TestDeviation(int, char*[])
   CheckSteps(c, "a square that shrinks", -0.002);
   CheckFeatures(c);
   CheckPasses(c);
+  CheckWorstTriangles(c);
   CheckCancel(c);
   return c.Result();
 }
