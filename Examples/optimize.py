@@ -131,7 +131,7 @@ def report(optimizer, surface, seconds):
           % (100 * share_of_bad('InputRadiusRatio'), 100 * share_of_bad('RadiusRatio')))
     print('maximum displacement     %8.5f of the diagonal' % figure('RelativeMaximumDisplacement'))
     print('Hausdorff distance       %8.5f of the diagonal' % distance.GetValue(0))
-    if mesh.GetFieldData().HasArray('RelativeHausdorffBound'):
+    if optimizer.Mode == 'Optimize Within Deviation':
         print('  proved to be at most   %8.5f' % figure('RelativeHausdorffBound'))
     print('volume change            %+7.3f%% (0 if the surface is open)'
           % (100 * figure('RelativeVolumeChange')))
