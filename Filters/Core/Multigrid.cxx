@@ -20,41 +20,20 @@ struct SmootherOptions
   int degree;
   float share;
 };
-constexpr SmootherOptions UniformSmoother{ 2, 5 };
-constexpr SmootherOptions CotangentSmoother{ 3, 10 };
+constexpr SmootherOptions UniformSmoother{ 3, 8 };
+constexpr SmootherOptions CotangentSmoother{ 4, 10 };
 
-/// The rows of A x; cheap to copy.
-class SparseRowsTimes
+/// product = A x
+void Assign(const PaddedRows& A, const PackedPoints<float>& x, PackedPoints<float>& product)
 {
-public:
-  SparseRowsTimes(const SparseRows& A, const PackedPoints<float>& x)
-    : X(View(x))
-    , Offsets(A.outerIndexPtr())
-    , Columns(A.innerIndexPtr())
-    , Values(A.valuePtr())
-  {
-  }
-
-  Row operator()(Index i) const
-  {
-    Row sum = Row::Zero();
-    for (Index k = this->Offsets[i]; k < this->Offsets[i + 1]; ++k)
-    {
-      sum += this->Values[k] * this->X.col(this->Columns[k]);
-    }
-    return sum;
-  }
-
-private:
-  const ConstPackedView<float> X;
-  const Index* Offsets;
-  const Index* Columns;
-  const float* Values;
-};
+  ParallelFor(A.Size(), [rows = PaddedRows::Times(A, x), product = View(product)](Index i) mutable
+    { product.col(i) = rows(i); });
+}
 }
 
 Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
   : Matrix(std::move(matrix))
+  , Smoother(ChooseSmoother(*this->Matrix))
 {
   SparseRows coarse = this->AddLevel(*this->Matrix, monitor);
   for (Index i = 0; i < this->Matrix->Size(); ++i)
@@ -64,7 +43,7 @@ Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& mo
   while (coarse.rows() > 0)
   {
     SparseRows coarser = this->AddLevel(SparseRowList(coarse), monitor);
-    this->Levels.back().A.swap(coarse);
+    this->Levels.back().A = PaddedRows(coarse);
     coarse.swap(coarser);
   }
 }
@@ -83,17 +62,18 @@ SparseRows Multigrid::AddLevel(const Rows& matrix, Monitor& monitor)
     return {};
   }
   monitor.Report(0);
+  level.previous.resize(4, size);
   level.residual.resize(4, size);
-  level.step.resize(4, size);
-  level.nextStep.resize(4, size);
   level.coarseRightHandSide.resize(4, aggregation.count);
   level.coarseSolution.resize(4, aggregation.count);
-  level.prolongation = SmoothedProlongation(matrix, level.smootherScale, aggregation);
-  level.restriction = level.prolongation.transpose();
+  const SparseRows prolongation = SmoothedProlongation(matrix, level.smootherScale, aggregation);
+  const SparseRows restriction = prolongation.transpose();
+  level.prolongation = PaddedRows(prolongation);
+  level.restriction = PaddedRows(restriction);
   monitor.Report(0);
   constexpr Index expectedEntries = 8;
-  const SparseRows product = Multiply(matrix, level.prolongation, expectedEntries);
-  return Multiply(SparseRowList(level.restriction), product, 2 * expectedEntries);
+  const SparseRows product = Multiply(matrix, prolongation, expectedEntries);
+  return Multiply(SparseRowList(restriction), product, 2 * expectedEntries);
 }
 
 template <typename Rows>
@@ -116,40 +96,56 @@ void Multigrid::Apply(
   this->CycleFrom(0, rightHandSide, solution);
 }
 
-void Multigrid::CycleFrom(
-  std::size_t index, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution)
+void Multigrid::ApplyTransposed(
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+{
+  monitor.Report(0);
+  this->TransposedCycleFrom(0, rightHandSide, solution);
+}
+
+void Multigrid::CycleFrom(std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x)
 {
   if (index + 1 == this->Levels.size())
   {
-    this->SolveCoarsest(rightHandSide, solution);
+    this->SolveCoarsest(b, x);
     return;
   }
   Level& level = this->Levels[index];
   const auto size = static_cast<Index>(level.smootherScale.size());
+  // The first step of the smoother from x = 0.
   ParallelFor(size,
-    [=, b = View(rightHandSide), x = View(solution), r = View(level.residual)](Index i) mutable
+    [b = View(b), x = View(x), previous = View(level.previous), scale = level.smootherScale.data(),
+      factor = this->Smoother[0].factor](Index i) mutable
     {
-      x.col(i).setZero();
-      r.col(i) = b.col(i);
+      previous.col(i).setZero();
+      x.col(i) = factor * scale[i] * b.col(i);
     });
-  this->Smooth(index, solution);
-  this->WithRows(index, level.step,
-    [&](const auto& rows) {
-      ParallelFor(size, [=, r = View(level.residual)](Index i) mutable { r.col(i) -= rows(i); });
-    });
-  ParallelFor(static_cast<Index>(level.restriction.rows()),
-    [rows = SparseRowsTimes(level.restriction, level.residual),
-      b = View(level.coarseRightHandSide)](Index i) mutable { b.col(i) = rows(i); });
-  this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
-  ParallelFor(size, [rows = SparseRowsTimes(level.prolongation, level.coarseSolution),
-                      x = View(solution)](Index i) mutable { x.col(i) += rows(i); });
-  this->WithRows(index, solution,
+  this->Smooth(index, b, x, 1);
+  this->WithRows(index, x,
     [&](const auto& rows)
     {
-      ParallelFor(size, [=, b = View(rightHandSide), r = View(level.residual)](Index i) mutable
-        { r.col(i) = b.col(i) - rows(i); });
+      ParallelFor(size, [=, b = View(b), residual = View(level.residual)](Index i) mutable
+        { residual.col(i) = b.col(i) - rows(i); });
     });
-  this->Smooth(index, solution);
+  Assign(level.restriction, level.residual, level.coarseRightHandSide);
+  this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
+  ParallelFor(size, [rows = PaddedRows::Times(level.prolongation, level.coarseSolution),
+                      x = View(x)](Index i) mutable { x.col(i) += rows(i); });
+}
+
+void Multigrid::TransposedCycleFrom(
+  std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x)
+{
+  if (index + 1 == this->Levels.size())
+  {
+    this->SolveCoarsest(b, x);
+    return;
+  }
+  Level& level = this->Levels[index];
+  Assign(level.restriction, b, level.coarseRightHandSide);
+  this->TransposedCycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
+  Assign(level.prolongation, level.coarseSolution, x);
+  this->Smooth(index, b, x, 0);
 }
 
 template <typename Body>
@@ -157,7 +153,7 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
 {
   if (index > 0)
   {
-    body(SparseRowsTimes(this->Levels[index].A, x));
+    body(PaddedRows::Times(this->Levels[index].A, x));
     return;
   }
   this->Matrix->K->WithRows(x,
@@ -168,44 +164,46 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
     });
 }
 
-void Multigrid::Smooth(std::size_t index, PackedPoints<float>& solution)
+std::vector<Multigrid::SmootherStep> Multigrid::ChooseSmoother(const ShiftedStiffness& matrix)
 {
-  Level& level = this->Levels[index];
-  const SmootherOptions options = this->Matrix->L.edgeWeights ? CotangentSmoother : UniformSmoother;
+  const SmootherOptions options = matrix.L.edgeWeights ? CotangentSmoother : UniformSmoother;
   const float upper = LargestEigenvalue;
   const float lower = upper / options.share;
   const float centre = (upper + lower) / 2;
   const float radius = (upper - lower) / 2;
-  const auto size = static_cast<Index>(level.smootherScale.size());
-  const float* const smootherScale = level.smootherScale.data();
-  ParallelFor(size,
-    [=, r = View(level.residual), step = View(level.step), x = View(solution)](Index i) mutable
-    {
-      step.col(i) = smootherScale[i] / centre * r.col(i);
-      x.col(i) += step.col(i);
-    });
+  std::vector<SmootherStep> steps{ { 0, 1 / centre } };
   float rho = radius / centre;
   for (int degree = 1; degree < options.degree; ++degree)
   {
     const float nextRho = 1 / (2 * centre / radius - rho);
-    const float momentum = nextRho * rho;
-    const float factor = 2 * nextRho / radius;
-    this->WithRows(index, level.step,
+    steps.push_back({ nextRho * rho, 2 * nextRho / radius });
+    rho = nextRho;
+  }
+  return steps;
+}
+
+void Multigrid::Smooth(
+  std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x, std::size_t first)
+{
+  Level& level = this->Levels[index];
+  const auto size = static_cast<Index>(level.smootherScale.size());
+  for (std::size_t k = first; k < this->Smoother.size(); ++k)
+  {
+    this->WithRows(index, x,
       [&](const auto& rows)
       {
         ParallelFor(size,
-          [=, r = View(level.residual), step = View(level.step), next = View(level.nextStep),
-            x = View(solution)](Index i) mutable
+          [rows, b = View(b), x = View(std::as_const(x)), previous = View(level.previous),
+            scale = level.smootherScale.data(), step = this->Smoother[k],
+            hasPrevious = k > 0](Index i) mutable
           {
-            const Row residual = r.col(i) - rows(i);
-            const Row change = momentum * step.col(i) + factor * smootherScale[i] * residual;
-            r.col(i) = residual;
-            next.col(i) = change;
-            x.col(i) += change;
+            const Row old = x.col(i);
+            const Row before = hasPrevious ? Row(previous.col(i)) : old;
+            previous.col(i) =
+              old + step.momentum * (old - before) + step.factor * scale[i] * (b.col(i) - rows(i));
           });
       });
-    level.step.swap(level.nextStep);
-    rho = nextRho;
+    x.swap(level.previous);
   }
 }
 

@@ -4,6 +4,7 @@
 #define lmo_Multigrid_h
 
 #include "Monitor.h"
+#include "PaddedRows.h"
 #include "ShiftedStiffness.h"
 #include "SmoothedAggregation.h"
 
@@ -11,8 +12,9 @@
 
 namespace lmo
 {
-/// Approximate inverse of K + R: one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina 1996),
-/// which is symmetric itself.
+/// Approximate inverse B of K + R: one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina
+/// 1996) that smooths on its way down only. Its transpose smooths on its way up only. B^T Q^-1 B is
+/// symmetric, so that neither has to smooth twice.
 class Multigrid
 {
 public:
@@ -21,9 +23,14 @@ public:
   /// \throw Cancelled if the monitor says so; it is asked a few times for each level.
   Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
 
-  /// solution = approximately (K + R)^-1 rightHandSide
+  /// solution = B rightHandSide, approximately (K + R)^-1 rightHandSide
   /// \throw Cancelled if the monitor says so.
   void Apply(
+    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
+
+  /// solution = B^T rightHandSide
+  /// \throw Cancelled if the monitor says so.
+  void ApplyTransposed(
     const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
 
   const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
@@ -32,16 +39,25 @@ public:
 private:
   struct Level
   {
-    SparseRows A;            ///< empty on the finest level, where it is K + R
-    SparseRows prolongation; ///< from the next, coarser level; empty on the coarsest
-    SparseRows restriction;  ///< its transpose
-    Values smootherScale;    ///< 0 for unknowns that are 0
+    PaddedRows A;                 ///< empty on the finest level, where it is K + R
+    PaddedRows prolongation;      ///< from the next, coarser level; empty on the coarsest
+    PaddedRows restriction;       ///< its transpose
+    Values smootherScale;         ///< 0 for unknowns that are 0
+    PackedPoints<float> previous; ///< iterate of the smoother
     PackedPoints<float> residual;
-    PackedPoints<float> step;
-    PackedPoints<float> nextStep;
     PackedPoints<float> coarseRightHandSide;
     PackedPoints<float> coarseSolution;
   };
+
+  /// A step of the smoother: x + momentum (x - previous x) + factor D (b - A x).
+  struct SmootherStep
+  {
+    float momentum;
+    float factor;
+  };
+
+  /// Chebyshev iteration on the upper part of the spectrum.
+  static std::vector<SmootherStep> ChooseSmoother(const ShiftedStiffness& matrix);
 
   /// Adds a level but for its matrix.
   /// \return the matrix of the next, coarser level; empty if there is none
@@ -51,19 +67,22 @@ private:
   template <typename Rows>
   void FactoriseCoarsest(const Rows& matrix);
 
-  void CycleFrom(
-    std::size_t index, const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution);
+  /// B and its transpose, from a level on.
+  void CycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
+  void TransposedCycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
+
   void SolveCoarsest(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const;
 
   /// Calls body(rows), where rows(i) is row i of this level's matrix times x and cheap to copy.
   template <typename Body>
   void WithRows(std::size_t index, const PackedPoints<float>& x, const Body& body) const;
 
-  /// Chebyshev iteration on the upper part of the spectrum.
-  /// \pre The level's residual is that of \a solution.
-  void Smooth(std::size_t index, PackedPoints<float>& solution);
+  /// \param first step to do
+  void Smooth(
+    std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x, std::size_t first);
 
   std::shared_ptr<const ShiftedStiffness> Matrix;
+  std::vector<SmootherStep> Smoother;
   std::vector<Level> Levels;
   Eigen::SimplicialLDLT<SparseMatrix> Coarsest;
 };

@@ -21,6 +21,7 @@ ShiftedStiffness::ShiftedStiffness(
   : L{ problem.L.rings, problem.L.edgeWeights, {} }
   , K(std::move(K))
   , shift(problem.Size())
+  , diagonal(problem.Size())
   , inverseQ(problem.Size())
   , isLeftOut(problem.Size())
 {
@@ -37,6 +38,7 @@ ShiftedStiffness::ShiftedStiffness(
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
       this->shift[i] =
         static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(q), least));
+      this->diagonal[i] = this->shift[i] + sum;
     });
 }
 

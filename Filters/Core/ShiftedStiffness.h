@@ -18,6 +18,7 @@ struct ShiftedStiffness
   Laplacian L; ///< without row scales
   std::shared_ptr<const PackedStiffness<float>> K;
   Values shift;    ///< diagonal of R, > 0
+  Vector diagonal; ///< of K + R
   Values inverseQ; ///< > 0, but 0 at vertices left out
   Mask isLeftOut;
 
@@ -43,7 +44,7 @@ struct ShiftedStiffness
       add(i, 1.0);
       return;
     }
-    add(i, this->shift[i] + WeightSum(this->L, i));
+    add(i, this->diagonal[i]);
     const AdjacencyLists& rings = *this->L.rings;
     for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
     {

@@ -7,53 +7,52 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 namespace lmo
 {
-/// Sums the entries of one row at a time.
+/// Sums the entries of one row at a time, without a branch that the processor could not predict.
 class RowAccumulator
 {
 public:
   explicit RowAccumulator(Index columns)
-    : PlaceOf(columns, -1)
+    : Cells(columns)
+    , Ids(columns + std::size_t(1))
   {
   }
 
   void Add(Index column, float value)
   {
-    Index& place = this->PlaceOf[column];
-    if (place < 0)
-    {
-      place = static_cast<Index>(this->Ids.size());
-      this->Ids.push_back(column);
-      this->Values.push_back(value);
-    }
-    else
-    {
-      this->Values[place] += value;
-    }
+    Cell& cell = this->Cells[column];
+    cell.sum += value;
+    this->Ids[this->Size] = column;
+    this->Size += !cell.isInRow;
+    cell.isInRow = true;
   }
 
   /// Appends the row and starts the next one.
   Index MoveTo(std::vector<Index>& ids, std::vector<float>& values)
   {
-    const auto size = static_cast<Index>(this->Ids.size());
-    ids.insert(ids.end(), this->Ids.begin(), this->Ids.end());
-    values.insert(values.end(), this->Values.begin(), this->Values.end());
-    for (const Index column : this->Ids)
+    ids.insert(ids.end(), this->Ids.begin(), this->Ids.begin() + this->Size);
+    for (Index k = 0; k < this->Size; ++k)
     {
-      this->PlaceOf[column] = -1;
+      Cell& cell = this->Cells[this->Ids[k]];
+      values.push_back(cell.sum);
+      cell = Cell();
     }
-    this->Ids.clear();
-    this->Values.clear();
-    return size;
+    return std::exchange(this->Size, 0);
   }
 
 private:
-  std::vector<Index> PlaceOf; ///< of each column in Values, -1 if it is not in the row
-  std::vector<Index> Ids;
-  std::vector<float> Values;
+  struct Cell
+  {
+    float sum = 0;
+    int isInRow = false;
+  };
+  std::vector<Cell> Cells; ///< of each column
+  std::vector<Index> Ids;  ///< of the columns in the row, and room for one more
+  Index Size = 0;
 };
 
 template <typename Fill>

@@ -13,8 +13,8 @@ namespace lmo
 {
 /// M = (K + R) Q (K + R) for the vertices that are free to move, the diagonal for the others. The
 /// couplings of x, y and z are left to the iteration.
-/// \tparam Inverse (K + R)^-1 or a symmetric approximation:
-/// Apply(rightHandSide, solution, monitor)
+/// \tparam Inverse (K + R)^-1 or an approximation B: Apply(rightHandSide, solution, monitor) for B,
+/// ApplyTransposed() for B^T. M^-1 is then B^T Q^-1 B.
 template <typename Inverse>
 class SquaredPreconditioner
 {
@@ -40,7 +40,7 @@ public:
     ParallelFor(this->Matrix->Size(),
       [x = View(this->Intermediate), inverseQ = this->Matrix->inverseQ.data()](Index i) mutable
       { x.col(i) *= inverseQ[i]; });
-    this->Factor->Apply(this->Intermediate, this->Result, monitor);
+    this->Factor->ApplyTransposed(this->Intermediate, this->Result, monitor);
   }
 
   /// The rows of M^-1 residual; cheap to copy.

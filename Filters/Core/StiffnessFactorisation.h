@@ -24,6 +24,14 @@ public:
   void Apply(
     const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
 
+  /// The same: the matrix is symmetric.
+  /// \throw Cancelled if the monitor says so.
+  void ApplyTransposed(
+    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+  {
+    this->Apply(rightHandSide, solution, monitor);
+  }
+
   const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
 
   /// Place of each vertex in the order of the unknowns; the same object if it was taken over.

@@ -44,6 +44,7 @@ set(layers
   Preconditioner
   ShiftedStiffness
   SparseProduct
+  PaddedRows
   SmoothedAggregation
   Ordering
   Multigrid
