@@ -10,6 +10,16 @@ namespace lmo
 {
 namespace
 {
+/// How many times too large the cotangents are; 1 for a triangle that is no needle.
+double NeedleFactor(const Vector3& cotangents)
+{
+  constexpr double largestSoftCotangent = 70;
+  constexpr double largestShareOfCaps = 1. / 3; // of the obtuse angle's cotangent in the largest
+  const double largest = cotangents.maxCoeff();
+  const bool isCap = -cotangents.minCoeff() > largestShareOfCaps * largest;
+  return isCap ? 1 : std::max(1.0, largest / largestSoftCotangent);
+}
+
 Index RowCount(const AdjacencyLists& rings)
 {
   return static_cast<Index>(rings.offsets.size()) - 1;
@@ -95,6 +105,19 @@ std::shared_ptr<const Vector> CotangentEdgeWeights(
       }
     });
   return weights;
+}
+
+std::shared_ptr<const Vector> SoftEdgeWeights(
+  const MeshTopology& topology, const Triangles& triangles, CornerValues cotangents)
+{
+  const Index needles = ParallelSum(static_cast<Index>(cotangents.rows()), Index(0),
+    [&](Index& count, Index t)
+    {
+      const double factor = NeedleFactor(cotangents.row(t));
+      cotangents.row(t) /= factor;
+      count += factor > 1;
+    });
+  return needles > 0 ? CotangentEdgeWeights(topology, triangles, cotangents) : nullptr;
 }
 
 Laplacian CotangentLaplacian(

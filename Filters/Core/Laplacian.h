@@ -27,6 +27,13 @@ Laplacian UniformLaplacian(std::shared_ptr<const AdjacencyLists> oneRings);
 std::shared_ptr<const Vector> CotangentEdgeWeights(
   const MeshTopology& topology, const Triangles& triangles, const CornerValues& cotangents);
 
+/// The same with the cotangents of each needle, a triangle with an edge far shorter than the other
+/// two, divided by one number so that none is above 70. Those of caps, whose corners are nearly in
+/// line, are left alone.
+/// \return null if there are no needles
+std::shared_ptr<const Vector> SoftEdgeWeights(
+  const MeshTopology& topology, const Triangles& triangles, CornerValues cotangents);
+
 /// Eqns. 2, 4, 5: L_c with normalised weights. A row whose weights cancel is empty.
 Laplacian CotangentLaplacian(
   std::shared_ptr<const AdjacencyLists> oneRings, std::shared_ptr<const Vector> edgeWeights);

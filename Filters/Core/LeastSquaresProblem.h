@@ -55,12 +55,14 @@ struct LineRow
 struct LeastSquaresProblem
 {
   Laplacian L;
-  Vector laplacianWeights;              ///< diagonal of W_L
-  std::shared_ptr<const Points> target; ///< c
-  std::vector<LineRow> lineRows;        ///< for vertices whose row of L is empty
-  Vector positionWeights;               ///< diagonal of W_p
-  Points tangentPlaneNormals;           ///< n_i; no rows if there are no tangent-plane constraints
-  double tangentPlaneWeight = 0;        ///< w
+  std::shared_ptr<const Vector> softEdgeWeights; ///< for preconditioners: those of L without the
+                                                 ///< largest; null stands for those of L
+  Vector laplacianWeights;                       ///< diagonal of W_L
+  std::shared_ptr<const Points> target;          ///< c
+  std::vector<LineRow> lineRows;                 ///< for vertices whose row of L is empty
+  Vector positionWeights;                        ///< diagonal of W_p
+  Points tangentPlaneNormals;    ///< n_i; no rows if there are no tangent-plane constraints
+  double tangentPlaneWeight = 0; ///< w
   MotionConstraints motion;
 
   Index Size() const { return static_cast<Index>(this->positionWeights.size()); }

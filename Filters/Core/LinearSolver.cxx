@@ -13,9 +13,14 @@ namespace lmo
 {
 namespace
 {
-/// Predicted iterations above which another preconditioner pays for its setup.
+/// Predicted iterations above which multigrid pays for its setup.
 constexpr Index AffordableJacobiIterations = 150;
-constexpr Index AffordableMultigridIterations = 60;
+
+/// Predicted iterations above which a factorisation, whose cost grows as size^1.5, pays.
+Index AffordableMultigridIterations(Index size)
+{
+  return static_cast<Index>(60 + std::min(90.0, 0.4 * std::sqrt(size)));
+}
 
 double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)
 {
@@ -109,7 +114,7 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   {
     Iterate(A,
       SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix, monitor)),
-      options, AffordableMultigridIterations, monitor, solution);
+      options, AffordableMultigridIterations(problem.Size()), monitor, solution);
   }
   if (IsFinished(solution, options))
   {

@@ -139,6 +139,7 @@ void MeshAnalysis::ForgetWeights()
 {
   this->WeightRings.reset();
   this->EdgeWeights.reset();
+  this->SoftWeights.reset();
   this->VoronoiAreas.resize(0);
 }
 
@@ -166,6 +167,17 @@ bool MeshAnalysis::HasBoundary()
       const Mask isBoundary = this->Domain->OwnedOf(this->Topology->isBoundary);
       const bool isHere = std::find(isBoundary.begin(), isBoundary.end(), 1) != isBoundary.end();
       return this->Domain->Maximum(isHere) > 0;
+    });
+}
+
+std::shared_ptr<const Vector> MeshAnalysis::GetSoftEdgeWeights()
+{
+  return this->Get(this->SoftWeights,
+    [&]
+    {
+      return this->IsRobust
+               ? nullptr
+               : SoftEdgeWeights(*this->Topology, this->T, Cotangents(this->V, this->T));
     });
 }
 

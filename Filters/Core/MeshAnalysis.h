@@ -64,6 +64,10 @@ public:
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
 
+  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, and for robust
+  /// weights.
+  std::shared_ptr<const Vector> GetSoftEdgeWeights();
+
   const Vector& GetVoronoiAreas();
 
   /// kappa n and kappa of Eqn. 7.
@@ -115,6 +119,7 @@ private:
   bool IsRobust = false;
   std::shared_ptr<const AdjacencyLists> WeightRings; ///< to which EdgeWeights belong
   std::shared_ptr<const Vector> EdgeWeights;
+  std::optional<std::shared_ptr<const Vector>> SoftWeights;
   Vector VoronoiAreas;
   std::optional<bool> Boundary;
   std::optional<Laplacian> Laplacians[3];

@@ -21,7 +21,7 @@ struct SmootherOptions
   float share;
 };
 constexpr SmootherOptions UniformSmoother{ 3, 8 };
-constexpr SmootherOptions CotangentSmoother{ 4, 10 };
+constexpr SmootherOptions CotangentSmoother{ 5, 8 };
 
 /// product = A x
 void Assign(const PaddedRows& A, const PackedPoints<float>& x, PackedPoints<float>& product)

@@ -249,6 +249,10 @@ LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& opt
 {
   LeastSquaresProblem problem;
   problem.L = ChooseLaplacian(mesh, options, lines);
+  if (UsedLaplacian(options) == LaplacianType::COTANGENT)
+  {
+    problem.softEdgeWeights = mesh.GetSoftEdgeWeights();
+  }
   problem.laplacianWeights = LaplacianWeights(mesh, options, arrays);
   problem.target = ChooseTarget(mesh, problem.L, options, arrays);
   problem.positionWeights = PositionWeights(mesh, options, arrays);

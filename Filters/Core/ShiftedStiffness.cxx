@@ -18,21 +18,28 @@ constexpr double SmallestRelativeR = 1e-6; ///< where W_p = 0: relative to E
 
 ShiftedStiffness::ShiftedStiffness(
   const LeastSquaresProblem& problem, std::shared_ptr<const PackedStiffness<float>> K)
-  : L{ problem.L.rings, problem.L.edgeWeights, {} }
-  , K(std::move(K))
+  : L{ problem.L.rings, problem.softEdgeWeights ? problem.softEdgeWeights : problem.L.edgeWeights,
+    {} }
+  , K(problem.softEdgeWeights ? std::make_shared<const PackedStiffness<float>>(L) : std::move(K))
   , shift(problem.Size())
   , diagonal(problem.Size())
   , inverseQ(problem.Size())
   , isLeftOut(problem.Size())
 {
   Vector Q(problem.Size());
-  ParallelFor(problem.Size(), [&](Index i) { Q[i] = RowWeight(problem, i); });
+  ParallelFor(problem.Size(),
+    [&](Index i)
+    {
+      const double sum = WeightSum(this->L, i);
+      const double ratio = sum > 0 ? WeightSum(problem.L, i) / sum : 1;
+      Q[i] = ratio * ratio * RowWeight(problem, i);
+    });
   const double smallestQ = SmallestRelativeQ * (Q.size() > 0 ? Q.maxCoeff() : 1);
   ParallelFor(problem.Size(),
     [&](Index i)
     {
       const double q = std::max(Q[i], smallestQ);
-      const double sum = WeightSum(problem.L, i);
+      const double sum = WeightSum(this->L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
       this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);

@@ -174,6 +174,34 @@ void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& 
     factorised.iterations <= multigrid.iterations);
 }
 
+/// A vertex of every 100th triangle at a ten thousandth of an edge from its neighbour.
+TestMesh WithNeedles(TestMesh mesh)
+{
+  for (Index t = 0; t < mesh.T.rows(); t += 100)
+  {
+    mesh.V.row(mesh.T(t, 0)) += 0.9999 * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
+  }
+  return mesh;
+}
+
+void CheckNeedles(Checks& c)
+{
+  System system(
+    WithNeedles(Irregular(HalfSphere(5), 0.002)), Smoothing(LaplacianType::COTANGENT, 0.01));
+  SolverOptions options;
+  options.tolerance = 1e-9;
+  options.maximumIterations = 1000;
+  const Solution soft = IterateSquared<Multigrid>(system, options);
+  Monitor monitor;
+  c.Error("soft weights do not change the solution",
+    MaximumDistance(soft.displacement, SolveDirectly(system.problem, monitor)), 1e-6);
+  system.problem.softEdgeWeights.reset();
+  system.matrix =
+    std::make_shared<const ShiftedStiffness>(system.problem, system.A->GetStiffness());
+  const Solution plain = IterateSquared<Multigrid>(system, options);
+  c.True("soft weights save half of the iterations", 2 * soft.iterations <= plain.iterations);
+}
+
 void CheckPrediction(Checks& c)
 {
   c.Error("a steady fall is extrapolated", std::abs(PredictIterations({ 1, 0.1, 0.01 }, 1e-6) - 4),
@@ -205,6 +233,7 @@ int TestPreconditioners(int, char*[])
     options.tangentPlaneWeight = 0.003;
     CheckSolutions(c, name + ", sliding boundary, tangent planes", options);
   }
+  CheckNeedles(c);
   CheckPrediction(c);
   return c.Result();
 }
