@@ -19,7 +19,7 @@ constexpr Index AffordableJacobiIterations = 150;
 /// Predicted iterations above which a factorisation, whose cost grows as size^1.5, pays.
 Index AffordableMultigridIterations(Index size)
 {
-  return static_cast<Index>(60 + std::min(190.0, 0.4 * std::sqrt(size)));
+  return static_cast<Index>(40 + 0.25 * std::sqrt(size));
 }
 
 double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace lmo
@@ -14,6 +15,16 @@ namespace
 {
 constexpr double SmallestRelativeQ = 1e-6; ///< where a row is empty: relative to the largest
 constexpr double SmallestRelativeR = 1e-6; ///< where W_p = 0: relative to E
+
+/// Mean of W_p^2 over a vertex and its one-ring.
+double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
+{
+  const AdjacencyLists& rings = *problem.L.rings;
+  const Vector& weights = problem.positionWeights;
+  const double sum = std::accumulate(rings.Begin(i), rings.End(i), weights[i] * weights[i],
+    [&](double total, Index j) { return total + weights[j] * weights[j]; });
+  return sum / (rings.Size(i) + 1);
+}
 }
 
 ShiftedStiffness::ShiftedStiffness(
@@ -43,8 +54,9 @@ ShiftedStiffness::ShiftedStiffness(
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
       this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
-      this->shift[i] =
-        static_cast<float>(std::max(problem.positionWeights[i] / std::sqrt(q), least));
+      const double here = problem.positionWeights[i] / std::sqrt(q);
+      const double mean = std::sqrt(MeanSquaredWeight(problem, i) / q);
+      this->shift[i] = static_cast<float>(std::max(std::min(mean, std::max(here, sum)), least));
       this->diagonal[i] = this->shift[i] + sum;
     });
 }

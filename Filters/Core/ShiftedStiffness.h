@@ -9,11 +9,13 @@
 namespace lmo
 {
 /// K + R with R = W_p / sqrt(Q): (K + R) Q (K + R) is close to A = K Q K + W_p^2, however different
-/// in size its two terms are. Bounds keep it and Q from being singular. Vertices that are not free
-/// to move in all directions are left out: their unknowns are 0.
-/// If the problem has soft edge weights, K and Q are those that L would have with them: the ends of
-/// a very short edge then have an R that is not out of all proportion to that of their neighbours,
-/// while L, whose rows are scaled to a sum of 1, hardly differs.
+/// in size its two terms are. It is the closer the less R changes from vertex to vertex, which
+/// would not matter to A: instead of W_p, R has its mean over the one-ring, as long as that does
+/// not outweigh K. Bounds keep K + R and Q from being singular. Vertices that are not free to move
+/// in all directions are left out: their unknowns are 0. If the problem has soft edge weights, K
+/// and Q are those that L would have with them: the ends of a very short edge then have an R that
+/// is not out of all proportion to that of their neighbours, while L, whose rows are scaled to a
+/// sum of 1, hardly differs.
 struct ShiftedStiffness
 {
   using Values = Eigen::ArrayXf;
