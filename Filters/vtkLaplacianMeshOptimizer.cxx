@@ -343,6 +343,8 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData)
     { "FlippedTriangles", double(filter.FlippedTriangles) },
     { "Iterations", double(filter.Iterations) },
     { "RelativeResidual", filter.RelativeResidual },
+  };
+  const std::pair<const char*, double> figuresWithinDeviation[] = {
     { "RelativeHausdorffBound", filter.RelativeHausdorffBound },
     { "Passes", double(filter.Passes) },
     { "RolledBackPoints", double(filter.RolledBackPoints) },
@@ -350,6 +352,14 @@ void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData)
   for (const auto& [name, value] : figures)
   {
     fieldData->AddArray(lmo::MakeArray(name, value));
+  }
+  for (const auto& [name, value] : figuresWithinDeviation)
+  {
+    fieldData->RemoveArray(name); // a filter before may have proved it, for another surface
+    if (filter.Mode == OPTIMIZE_WITHIN_DEVIATION)
+    {
+      fieldData->AddArray(lmo::MakeArray(name, value));
+    }
   }
 }
 

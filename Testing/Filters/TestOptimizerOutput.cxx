@@ -5,6 +5,7 @@
 #include "TestMeasures.h"
 
 #include "vtkCellData.h"
+#include "vtkFieldData.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkMassProperties.h"
 #include "vtkMeshLaplacian.h"
@@ -110,6 +111,26 @@ void CheckGetters(Checks& c, Optimizer* filter)
   }
 }
 
+/// What only one mode proves is not found behind another.
+void CheckProofs(Checks& c, vtkPolyData* input)
+{
+  const vtkNew<Optimizer> within;
+  within->SetInputData(input);
+  within->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
+  const vtkNew<Optimizer> smooth;
+  smooth->SetInputConnection(within->GetOutputPort());
+  smooth->SetMode(Optimizer::SMOOTH);
+  smooth->Update();
+  c.True("the proved distance is a field array",
+    FieldValue(within->GetOutput(), "RelativeHausdorffBound") ==
+      within->GetRelativeHausdorffBound());
+  for (const char* name : { "RelativeHausdorffBound", "Passes", "RolledBackPoints" })
+  {
+    c.True(std::string("smoothing proves nothing: ") + name,
+      !smooth->GetOutput()->GetFieldData()->HasArray(name));
+  }
+}
+
 void CheckFigures(Checks& c)
 {
   const TestMesh sphere = Irregular(Icosphere(3), 0.02);
@@ -181,6 +202,7 @@ int TestOptimizerOutput(int, char*[])
   CheckPointArrays(c, input, output);
   CheckRadiusRatios(c, input, output);
   c.True("an open surface has no volume change", FieldValue(output, "RelativeVolumeChange") == 0);
+  CheckProofs(c, MakePolyData(Irregular(Icosphere(3), 0.02)));
   CheckFigures(c);
   CheckFlips(c);
   return c.Result();

@@ -448,7 +448,11 @@ class Panel(unittest.TestCase):
             "Optimize Triangles": {"ScaleFactor", "PositionWeighting", "FeatureAngle"},
             "Smooth": {"LaplacianType", "ScaleFactor", "PositionWeighting", "FeatureAngle"},
             "Prescribed Laplacians": {"LaplacianType", "ScaleFactor", "PositionWeighting"},
-            "Optimize Within Deviation": {"MaximumDeviation", "FeatureAngle"},
+            "Optimize Within Deviation": {
+                "MaximumDeviation",
+                "FeatureAngle",
+                "RelativeHausdorffBound",
+            },
             "Smooth Guided": {"NormalWidth"},
         }
         for mode, name in enumerate(uses):
