@@ -55,14 +55,19 @@ SparseRows Multigrid::AddLevel(const Rows& matrix, Monitor& monitor)
   this->Levels.emplace_back();
   Level& level = this->Levels.back();
   level.smootherScale = SmootherScale(matrix);
+  level.previous.resize(4, size);
   const Aggregation aggregation = size > CoarsestSize ? Aggregate(matrix) : Aggregation();
+  const bool isNearlyDiagonal = size > CoarsestSize && aggregation.count == 0;
+  if (isNearlyDiagonal)
+  {
+    return {};
+  }
   if (aggregation.count == 0 || aggregation.count > LargestCoarseningRatio * size)
   {
     this->FactoriseCoarsest(matrix);
     return {};
   }
   monitor.Report(0);
-  level.previous.resize(4, size);
   level.residual.resize(4, size);
   level.coarseRightHandSide.resize(4, aggregation.count);
   level.coarseSolution.resize(4, aggregation.count);
@@ -112,15 +117,7 @@ void Multigrid::CycleFrom(std::size_t index, const PackedPoints<float>& b, Packe
   }
   Level& level = this->Levels[index];
   const auto size = static_cast<Index>(level.smootherScale.size());
-  // The first step of the smoother from x = 0.
-  ParallelFor(size,
-    [b = View(b), x = View(x), previous = View(level.previous), scale = level.smootherScale.data(),
-      factor = this->Smoother[0].factor](Index i) mutable
-    {
-      previous.col(i).setZero();
-      x.col(i) = factor * scale[i] * b.col(i);
-    });
-  this->Smooth(index, b, x, 1);
+  this->SmoothFromZero(index, b, x);
   this->WithRows(index, x,
     [&](const auto& rows)
     {
@@ -182,6 +179,20 @@ std::vector<Multigrid::SmootherStep> Multigrid::ChooseSmoother(const ShiftedStif
   return steps;
 }
 
+void Multigrid::SmoothFromZero(
+  std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x)
+{
+  Level& level = this->Levels[index];
+  ParallelFor(static_cast<Index>(level.smootherScale.size()),
+    [b = View(b), x = View(x), previous = View(level.previous), scale = level.smootherScale.data(),
+      factor = this->Smoother[0].factor](Index i) mutable
+    {
+      previous.col(i).setZero();
+      x.col(i) = factor * scale[i] * b.col(i);
+    });
+  this->Smooth(index, b, x, 1);
+}
+
 void Multigrid::Smooth(
   std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x, std::size_t first)
 {
@@ -207,10 +218,14 @@ void Multigrid::Smooth(
   }
 }
 
-void Multigrid::SolveCoarsest(
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const
+void Multigrid::SolveCoarsest(const PackedPoints<float>& b, PackedPoints<float>& x)
 {
-  const Eigen::MatrixXd b = rightHandSide.matrix().transpose().cast<double>();
-  solution = this->Coarsest.solve(b).transpose().cast<float>().array();
+  if (this->Coarsest.rows() == 0)
+  {
+    this->SmoothFromZero(this->Levels.size() - 1, b, x);
+    return;
+  }
+  const Eigen::MatrixXd exactB = b.matrix().transpose().cast<double>();
+  x = this->Coarsest.solve(exactB).transpose().cast<float>().array();
 }
 }

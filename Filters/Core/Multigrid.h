@@ -71,11 +71,15 @@ private:
   void CycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
   void TransposedCycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
 
-  void SolveCoarsest(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const;
+  /// x = A^-1 b on the coarsest level, the smoother's approximation if A is nearly diagonal there.
+  void SolveCoarsest(const PackedPoints<float>& b, PackedPoints<float>& x);
 
   /// Calls body(rows), where rows(i) is row i of this level's matrix times x and cheap to copy.
   template <typename Body>
   void WithRows(std::size_t index, const PackedPoints<float>& x, const Body& body) const;
+
+  /// All steps from x = 0.
+  void SmoothFromZero(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
 
   /// \param first step to do
   void Smooth(
@@ -84,7 +88,7 @@ private:
   std::shared_ptr<const ShiftedStiffness> Matrix;
   std::vector<SmootherStep> Smoother;
   std::vector<Level> Levels;
-  Eigen::SimplicialLDLT<SparseMatrix> Coarsest;
+  Eigen::SimplicialLDLT<SparseMatrix> Coarsest; ///< empty where A is nearly diagonal
 };
 }
 
