@@ -64,8 +64,7 @@ public:
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);
 
-  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, and for robust
-  /// weights.
+  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, and for robust weights.
   std::shared_ptr<const Vector> GetSoftEdgeWeights();
 
   const Vector& GetVoronoiAreas();

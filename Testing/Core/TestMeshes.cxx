@@ -226,11 +226,11 @@ TestMesh WithIsolatedPoint(const TestMesh& mesh)
   return result;
 }
 
-TestMesh WithThinTriangles(TestMesh mesh)
+TestMesh WithThinTriangles(TestMesh mesh, Index every, double share)
 {
-  for (Index t = 0; t < mesh.T.rows(); t += 20)
+  for (Index t = 0; t < mesh.T.rows(); t += every)
   {
-    mesh.V.row(mesh.T(t, 0)) += 0.99 * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
+    mesh.V.row(mesh.T(t, 0)) += share * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
   }
   return mesh;
 }

@@ -83,8 +83,8 @@ TestMesh Irregular(TestMesh mesh, double amplitude);
 /// The mesh with one more triangle.
 TestMesh WithTriangle(TestMesh mesh, lmo::Index a, lmo::Index b, lmo::Index c);
 
-/// Moves a vertex of every 20th triangle to a hundredth of an edge from its neighbour.
-TestMesh WithThinTriangles(TestMesh mesh);
+/// Moves a vertex of every so many triangles along an edge, a share of the way to its neighbour.
+TestMesh WithThinTriangles(TestMesh mesh, lmo::Index every = 20, double share = 0.99);
 
 /// V scaled and moved.
 TestMesh Transformed(TestMesh mesh, double scale, const lmo::Vector3& shift = { 0, 0, 0 });

@@ -172,24 +172,17 @@ void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& 
   const Index gain = isDiagonalSlow ? 2 : 10;
   c.True("multigrid takes a fraction of Jacobi's iterations: " + name,
     gain * multigrid.iterations <= jacobi.iterations);
-  c.True("the factorised K + R takes no more iterations than multigrid: " + name,
-    isDiagonalSlow || factorised.iterations <= multigrid.iterations);
-}
-
-/// A vertex of every 100th triangle at a ten thousandth of an edge from its neighbour.
-TestMesh WithNeedles(TestMesh mesh)
-{
-  for (Index t = 0; t < mesh.T.rows(); t += 100)
+  if (!isDiagonalSlow)
   {
-    mesh.V.row(mesh.T(t, 0)) += 0.9999 * (mesh.V.row(mesh.T(t, 1)) - mesh.V.row(mesh.T(t, 0)));
+    c.True("the factorised K + R takes no more iterations than multigrid: " + name,
+      factorised.iterations <= multigrid.iterations);
   }
-  return mesh;
 }
 
 void CheckNeedles(Checks& c)
 {
-  System system(
-    WithNeedles(Irregular(HalfSphere(5), 0.002)), Smoothing(LaplacianType::COTANGENT, 0.01));
+  System system(WithThinTriangles(Irregular(HalfSphere(5), 0.002), 100, 0.9999),
+    Smoothing(LaplacianType::COTANGENT, 0.01));
   SolverOptions options;
   options.tolerance = 1e-9;
   options.maximumIterations = 1000;
