@@ -51,25 +51,22 @@ public:
 private:
   using Row = PackedRow<Scalar>;
 
-  /// A residual this much smaller than the last one computed in double is computed anew.
-  static constexpr double ReplacementRatio = 1e-6;
-
   /// A residual this much larger than the one carried along starts the directions anew.
   static constexpr double LargestDrift = 2;
 
   /// The number of iterations is predicted after this share of the affordable ones.
   static constexpr Index TrialShare = 5;
 
-  /// Computes the residual of d and its inner product with M^-1 r.
+  /// Computes the residual of d.
   /// \return its norm relative to |b|
-  double ReplaceResidual(const Points& d, Monitor& monitor);
+  double ReplaceResidual(const Points& d);
 
-  /// r M^-1 r
-  Dots ResidualDots();
+  /// Computes M^-1 r and its inner product with r.
+  void Precondition(Monitor& monitor);
 
-  /// r -= alpha A p
+  /// r -= alpha A p, and its inner product with M^-1 r if that needs no more than rows.
   /// \return the norm of r
-  double StepResidual(Monitor& monitor);
+  double StepResidual();
 
   /// d += the steps since the last call
   void Collect(Points& d);

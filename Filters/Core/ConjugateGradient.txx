@@ -54,7 +54,8 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
       direction.col(i).setZero();
       steps.col(i).setZero();
     });
-  this->ReplaceResidual(solution.displacement, monitor);
+  this->ReplaceResidual(solution.displacement);
+  this->Precondition(monitor);
   this->UpdateDirection(Dots::Zero());
   if (solution.displacement.rows() == 0)
   {
@@ -66,7 +67,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
     this->Alpha =
       DivideDots(this->Rho, this->Domain.Sum(this->A.Multiply(this->Direction, this->Product)));
     const Dots oldRho = this->Rho;
-    const double norm = this->StepResidual(monitor);
+    const double norm = this->StepResidual();
     ++solution.iterations;
     monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
     norms.push_back(norm);
@@ -74,26 +75,32 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
                             PredictIterations(norms, options.tolerance) > affordable;
     const bool isLast = solution.iterations == options.maximumIterations ||
                         !(this->Alpha > 0).any() || !(norm > options.tolerance) || isHopeless;
-    Dots beta = DivideDots(this->Rho, oldRho);
-    if (isLast || norm < ReplacementRatio * solution.relativeResidual)
+    const bool isReplaced =
+      isLast || norm < Preconditioner::ReplacementRatio * solution.relativeResidual;
+    bool isDrift = false;
+    if (isReplaced)
     {
       const double old = solution.relativeResidual;
       this->Collect(solution.displacement);
-      solution.relativeResidual = this->ReplaceResidual(solution.displacement, monitor);
-      if (isHopeless || !(solution.relativeResidual < old / 2))
+      solution.relativeResidual = this->ReplaceResidual(solution.displacement);
+      if (isHopeless || !(solution.relativeResidual < old / 2) ||
+          solution.relativeResidual <= options.tolerance)
       {
         break;
       }
       // Directions belong to the residual that was carried along; far from it they mislead.
-      const bool isDrift = solution.relativeResidual > LargestDrift * norm;
-      beta = isDrift ? Dots(Dots::Zero()) : DivideDots(this->Rho, oldRho);
+      isDrift = solution.relativeResidual > LargestDrift * norm;
     }
-    this->UpdateDirection(beta);
+    if (isReplaced || !Preconditioner::IsRowWise)
+    {
+      this->Precondition(monitor);
+    }
+    this->UpdateDirection(isDrift ? Dots(Dots::Zero()) : DivideDots(this->Rho, oldRho));
   }
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d, Monitor& monitor)
+double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& d)
 {
   const double unit = 1 / this->Scale;
   const double norm = ComputeResidual(this->Problem, d,
@@ -102,25 +109,24 @@ double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& 
       const Vector3 scaled = unit * residual;
       packed.col(i) << Scalar(scaled[0]), Scalar(scaled[1]), Scalar(scaled[2]), Scalar(0);
     });
-  this->M.Prepare(this->Residual, monitor);
-  this->Rho = this->ResidualDots();
   return this->Domain.Norm(norm) * unit;
 }
 
 template <typename Scalar, typename Preconditioner>
-Dots ConjugateGradient<Scalar, Preconditioner>::ResidualDots()
+void ConjugateGradient<Scalar, Preconditioner>::Precondition(Monitor& monitor)
 {
+  this->M.Prepare(this->Residual, monitor);
   const DotSum sum = ParallelSum(this->Problem.Size(), DotSum(),
     [residual = View(std::as_const(this->Residual)), M = this->M.GetRows()](DotSum& dots, Index i)
     {
       const Row r = residual.col(i);
       dots.Add(Row(r * M(i, r)));
     });
-  return this->Domain.Sum(this->Couple(sum.Get()));
+  this->Rho = this->Domain.Sum(this->Couple(sum.Get()));
 }
 
 template <typename Scalar, typename Preconditioner>
-double ConjugateGradient<Scalar, Preconditioner>::StepResidual(Monitor& monitor)
+double ConjugateGradient<Scalar, Preconditioner>::StepResidual()
 {
   struct Sums
   {
@@ -148,11 +154,6 @@ double ConjugateGradient<Scalar, Preconditioner>::StepResidual(Monitor& monitor)
   if (Preconditioner::IsRowWise)
   {
     this->Rho = this->Domain.Sum(this->Couple(sums.rho.Get()));
-  }
-  else
-  {
-    this->M.Prepare(this->Residual, monitor);
-    this->Rho = this->ResidualDots();
   }
   return this->Domain.Norm(std::sqrt(sums.squares.Get().sum()));
 }

@@ -13,15 +13,10 @@ using Row = PackedRow<float>;
 constexpr Index CoarsestSize = 400;
 constexpr double LargestCoarseningRatio = 0.8; ///< a coarser level is not worth its while above
 
-/// Chebyshev smoother: on eigenvalues above the largest / share. Cotangents, which may be negative,
-/// need more of it.
-struct SmootherOptions
-{
-  int degree;
-  float share;
-};
-constexpr SmootherOptions UniformSmoother{ 3, 8 };
-constexpr SmootherOptions CotangentSmoother{ 5, 8 };
+/// Of the Chebyshev smoother. Cotangents may be negative and need more of it, on the finest level.
+constexpr float SmootherShare = 8;
+constexpr int SmootherDegree = 3;
+constexpr int CotangentSmootherDegree = 5;
 
 /// product = A x
 void Assign(const PaddedRows& A, const PackedPoints<float>& x, PackedPoints<float>& product)
@@ -33,12 +28,25 @@ void Assign(const PaddedRows& A, const PackedPoints<float>& x, PackedPoints<floa
 
 Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
   : Matrix(std::move(matrix))
-  , Smoother(ChooseSmoother(*this->Matrix))
+  , Eliminated(*this->Matrix)
+  , FinestSmoother(ChebyshevSmoother(
+      this->Matrix->L.edgeWeights ? CotangentSmootherDegree : SmootherDegree, SmootherShare))
+  , CoarseSmoother(ChebyshevSmoother(SmootherDegree, SmootherShare))
 {
-  SparseRows coarse = this->AddLevel(*this->Matrix, monitor);
-  for (Index i = 0; i < this->Matrix->Size(); ++i)
+  SparseRows coarse;
+  if (this->Eliminated.IsEmpty())
   {
-    this->Levels[0].smootherScale[i] *= !this->Matrix->isLeftOut[i];
+    coarse = this->AddLevel(*this->Matrix, monitor);
+    for (Index i = 0; i < this->Matrix->Size(); ++i)
+    {
+      this->Levels[0].smootherScale[i] *= !this->Matrix->isLeftOut[i];
+    }
+  }
+  else
+  {
+    coarse = this->Eliminated.SchurComplement(*this->Matrix);
+    this->RestrictedRightHandSide.resize(4, coarse.rows());
+    this->RestrictedSolution.resize(4, coarse.rows());
   }
   while (coarse.rows() > 0)
   {
@@ -97,15 +105,27 @@ void Multigrid::FactoriseCoarsest(const Rows& matrix)
 void Multigrid::Apply(
   const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
 {
-  monitor.Report(0);
-  this->CycleFrom(0, rightHandSide, solution);
+  this->WithoutEliminated(rightHandSide, solution, monitor, &Multigrid::CycleFrom);
 }
 
 void Multigrid::ApplyTransposed(
   const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
 {
+  this->WithoutEliminated(rightHandSide, solution, monitor, &Multigrid::TransposedCycleFrom);
+}
+
+void Multigrid::WithoutEliminated(const PackedPoints<float>& rightHandSide,
+  PackedPoints<float>& solution, Monitor& monitor, Cycle cycle)
+{
   monitor.Report(0);
-  this->TransposedCycleFrom(0, rightHandSide, solution);
+  if (this->Eliminated.IsEmpty())
+  {
+    (this->*cycle)(0, rightHandSide, solution);
+    return;
+  }
+  this->Eliminated.Restrict(rightHandSide, this->RestrictedRightHandSide);
+  (this->*cycle)(0, this->RestrictedRightHandSide, this->RestrictedSolution);
+  this->Eliminated.Prolong(this->RestrictedSolution, rightHandSide, solution);
 }
 
 void Multigrid::CycleFrom(std::size_t index, const PackedPoints<float>& b, PackedPoints<float>& x)
@@ -148,7 +168,7 @@ void Multigrid::TransposedCycleFrom(
 template <typename Body>
 void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const Body& body) const
 {
-  if (index > 0)
+  if (index > 0 || !this->Eliminated.IsEmpty())
   {
     body(PaddedRows::Times(this->Levels[index].A, x));
     return;
@@ -161,16 +181,15 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
     });
 }
 
-std::vector<Multigrid::SmootherStep> Multigrid::ChooseSmoother(const ShiftedStiffness& matrix)
+Multigrid::Smoother Multigrid::ChebyshevSmoother(int degree, float share)
 {
-  const SmootherOptions options = matrix.L.edgeWeights ? CotangentSmoother : UniformSmoother;
   const float upper = LargestEigenvalue;
-  const float lower = upper / options.share;
+  const float lower = upper / share;
   const float centre = (upper + lower) / 2;
   const float radius = (upper - lower) / 2;
-  std::vector<SmootherStep> steps{ { 0, 1 / centre } };
+  Smoother steps{ { 0, 1 / centre } };
   float rho = radius / centre;
-  for (int degree = 1; degree < options.degree; ++degree)
+  for (int step = 1; step < degree; ++step)
   {
     const float nextRho = 1 / (2 * centre / radius - rho);
     steps.push_back({ nextRho * rho, 2 * nextRho / radius });
@@ -185,7 +204,7 @@ void Multigrid::SmoothFromZero(
   Level& level = this->Levels[index];
   ParallelFor(static_cast<Index>(level.smootherScale.size()),
     [b = View(b), x = View(x), previous = View(level.previous), scale = level.smootherScale.data(),
-      factor = this->Smoother[0].factor](Index i) mutable
+      factor = this->GetSmoother(index)[0].factor](Index i) mutable
     {
       previous.col(i).setZero();
       x.col(i) = factor * scale[i] * b.col(i);
@@ -198,14 +217,15 @@ void Multigrid::Smooth(
 {
   Level& level = this->Levels[index];
   const auto size = static_cast<Index>(level.smootherScale.size());
-  for (std::size_t k = first; k < this->Smoother.size(); ++k)
+  const Smoother& steps = this->GetSmoother(index);
+  for (std::size_t k = first; k < steps.size(); ++k)
   {
     this->WithRows(index, x,
       [&](const auto& rows)
       {
         ParallelFor(size,
           [rows, b = View(b), x = View(std::as_const(x)), previous = View(level.previous),
-            scale = level.smootherScale.data(), step = this->Smoother[k],
+            scale = level.smootherScale.data(), step = steps[k],
             hasPrevious = k > 0](Index i) mutable
           {
             const Row old = x.col(i);

@@ -3,9 +3,8 @@
 #ifndef lmo_Multigrid_h
 #define lmo_Multigrid_h
 
+#include "Elimination.h"
 #include "Monitor.h"
-#include "PaddedRows.h"
-#include "ShiftedStiffness.h"
 #include "SmoothedAggregation.h"
 
 #include <Eigen/SparseCholesky>
@@ -14,7 +13,8 @@ namespace lmo
 {
 /// Approximate inverse B of K + R: one V-cycle of smoothed aggregation (Vanek, Mandel, Brezina
 /// 1996) that smooths on its way down only. Its transpose smooths on its way up only. B^T Q^-1 B is
-/// symmetric, so that neither has to smooth twice.
+/// symmetric, so that neither has to smooth twice. Unknowns at which B has to be exact are
+/// eliminated before.
 class Multigrid
 {
 public:
@@ -39,7 +39,7 @@ public:
 private:
   struct Level
   {
-    PaddedRows A;                 ///< empty on the finest level, where it is K + R
+    PaddedRows A;                 ///< not used where it is K + R
     PaddedRows prolongation;      ///< from the next, coarser level; empty on the coarsest
     PaddedRows restriction;       ///< its transpose
     Values smootherScale;         ///< 0 for unknowns that are 0
@@ -56,8 +56,12 @@ private:
     float factor;
   };
 
-  /// Chebyshev iteration on the upper part of the spectrum.
-  static std::vector<SmootherStep> ChooseSmoother(const ShiftedStiffness& matrix);
+  using Smoother = std::vector<SmootherStep>;
+  using Cycle = void (Multigrid::*)(
+    std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
+
+  /// Chebyshev iteration on eigenvalues above the largest / share.
+  static Smoother ChebyshevSmoother(int degree, float share);
 
   /// Adds a level but for its matrix.
   /// \return the matrix of the next, coarser level; empty if there is none
@@ -67,12 +71,20 @@ private:
   template <typename Rows>
   void FactoriseCoarsest(const Rows& matrix);
 
+  void WithoutEliminated(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
+    Monitor& monitor, Cycle cycle);
+
   /// B and its transpose, from a level on.
   void CycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
   void TransposedCycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
 
   /// x = A^-1 b on the coarsest level, the smoother's approximation if A is nearly diagonal there.
   void SolveCoarsest(const PackedPoints<float>& b, PackedPoints<float>& x);
+
+  const Smoother& GetSmoother(std::size_t level) const
+  {
+    return level == 0 ? this->FinestSmoother : this->CoarseSmoother;
+  }
 
   /// Calls body(rows), where rows(i) is row i of this level's matrix times x and cheap to copy.
   template <typename Body>
@@ -86,7 +98,11 @@ private:
     std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x, std::size_t first);
 
   std::shared_ptr<const ShiftedStiffness> Matrix;
-  std::vector<SmootherStep> Smoother;
+  Elimination Eliminated;
+  PackedPoints<float> RestrictedRightHandSide; ///< of the unknowns that are not eliminated
+  PackedPoints<float> RestrictedSolution;
+  Smoother FinestSmoother;
+  Smoother CoarseSmoother;
   std::vector<Level> Levels;
   Eigen::SimplicialLDLT<SparseMatrix> Coarsest; ///< empty where A is nearly diagonal
 };

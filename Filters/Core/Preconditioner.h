@@ -17,6 +17,9 @@ class JacobiPreconditioner
 public:
   static constexpr bool IsRowWise = true; ///< rows need nothing but r_i
 
+  /// A residual this much smaller than the last one computed in double is computed anew.
+  static constexpr double ReplacementRatio = 1e-6;
+
   explicit JacobiPreconditioner(const LeastSquaresProblem& problem);
 
   void Prepare(const PackedPoints<Scalar>&, Monitor&) {}

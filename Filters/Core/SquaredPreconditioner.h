@@ -21,6 +21,9 @@ class SquaredPreconditioner
 public:
   static constexpr bool IsRowWise = false;
 
+  /// Problems that need this preconditioner lose digits sooner.
+  static constexpr double ReplacementRatio = 1e-1;
+
   /// \param matrix Q and the vertices left out
   SquaredPreconditioner(const LeastSquaresProblem& problem,
     std::shared_ptr<const ShiftedStiffness> matrix, std::shared_ptr<Inverse> inverse)

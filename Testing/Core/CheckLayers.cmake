@@ -47,6 +47,7 @@ set(layers
   PaddedRows
   SmoothedAggregation
   Ordering
+  Elimination
   Multigrid
   StiffnessFactorisation
   InverseCache

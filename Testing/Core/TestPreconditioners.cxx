@@ -6,6 +6,7 @@
 
 #include "Core/ConjugateGradient.h"
 #include "Core/DirectSolver.h"
+#include "Core/Elimination.h"
 #include "Core/InverseCache.h"
 #include "Core/ProblemSetup.h"
 #include "Core/SquaredPreconditioner.h"
@@ -198,6 +199,54 @@ void CheckNeedles(Checks& c)
     "soft weights save a third of the iterations", 3 * soft.iterations <= 2 * plain.iterations);
 }
 
+TestMesh SphereWithThinTriangles()
+{
+  return WithThinTriangles(Irregular(Icosphere(5), 0.002), 40, 0.99);
+}
+
+/// |S y - P^T (K + R) P y| / |S y| for a random y.
+double SchurComplementError(const ShiftedStiffness& matrix, const Elimination& elimination)
+{
+  const SparseRows S = elimination.SchurComplement(matrix);
+  Random random;
+  PackedPoints<float> y(4, S.rows());
+  PackedPoints<float> restricted(4, S.rows());
+  PackedPoints<float> x(4, matrix.Size());
+  y = y.unaryExpr([&](float) { return static_cast<float>(random()); });
+  elimination.Prolong(y, PackedPoints<float>::Zero(4, matrix.Size()), x);
+  elimination.Restrict(Multiply(matrix, x), restricted);
+  const Eigen::MatrixXf Sy = S * y.matrix().transpose();
+  return (Sy - restricted.matrix().transpose()).norm() / Sy.norm();
+}
+
+void CheckElimination(Checks& c)
+{
+  const System curved(SphereWithThinTriangles(), Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
+  const Elimination elimination(*curved.matrix);
+  c.True("areas that differ make some unknowns be eliminated", !elimination.IsEmpty());
+  c.Error("S is P^T (K + R) P", SchurComplementError(*curved.matrix, elimination), 1e-4);
+  for (const LaplacianType type : { LaplacianType::UNIFORM, LaplacianType::COTANGENT })
+  {
+    const System system(SphereWithThinTriangles(), Smoothing(type, 0.01));
+    c.True("nothing is eliminated where rows have a sum of 1: L " +
+             std::to_string(static_cast<int>(type)),
+      Elimination(*system.matrix).IsEmpty());
+  }
+}
+
+/// Areas, and with them rows of L, differ by orders of magnitude.
+void CheckThinTriangles(Checks& c)
+{
+  System system(SphereWithThinTriangles(), Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
+  SolverOptions options;
+  options.maximumIterations = 1000;
+  const Solution multigrid = IterateSquared<Multigrid>(system, options);
+  const Solution factorised = IterateSquared<StiffnessFactorisation>(system, options);
+  c.True("multigrid and factorisation take few iterations on thin triangles",
+    std::max(multigrid.iterations, factorised.iterations) <= 20);
+  c.Error("multigrid reaches the tolerance", multigrid.relativeResidual, options.tolerance);
+}
+
 void CheckPrediction(Checks& c)
 {
   c.Error("a steady fall is extrapolated", std::abs(PredictIterations({ 1, 0.1, 0.01 }, 1e-6) - 4),
@@ -226,6 +275,8 @@ int TestPreconditioners(int, char*[])
     Smoothing(LaplacianType::UNIFORM, 0.01));
   CheckInverses(
     c, "L_c, closed", Irregular(Icosphere(4), 0.01), Smoothing(LaplacianType::COTANGENT, 0.01));
+  CheckInverses(c, "L_ck, thin triangles", SphereWithThinTriangles(),
+    Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
   for (const LaplacianType type :
     { LaplacianType::UNIFORM, LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
   {
@@ -241,6 +292,8 @@ int TestPreconditioners(int, char*[])
     CheckSolutions(c, name + ", sliding boundary, tangent planes", options);
   }
   CheckNeedles(c);
+  CheckElimination(c);
+  CheckThinTriangles(c);
   CheckPrediction(c);
   return c.Result();
 }
