@@ -3,6 +3,7 @@
 #include "DeviationOptimizer.h"
 
 #include "DeviationGuard.h"
+#include "DeviationProblem.h"
 #include "LinearSolver.h"
 #include "Parallel.h"
 #include "Rounding.h"
@@ -16,9 +17,6 @@ namespace lmo
 {
 namespace
 {
-constexpr double PositionScale = 0.05; ///< s
-constexpr double LeastPositionWeight = 1e-4;
-constexpr double GoodQuality = 0.5;      ///< t from which a vertex is held with its full weight
 constexpr double SolverTolerance = 1e-3; ///< the next pass corrects what is left
 constexpr double SmallestShare = 0.2;    ///< of a motion that is worth keeping
 constexpr double Hold = 1.3;             ///< factor of W_p where motion was taken back
@@ -59,10 +57,10 @@ public:
     , Distance(
         std::max(options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
+    , Problem(SetUpTangentialProblem(mesh, motion))
     , Adaption(Vector::Ones(mesh.GetPoints().rows()))
     , Share(Vector::Zero(mesh.GetPoints().rows()))
   {
-    this->SetUp(motion);
     monitor.Report(0);
     this->SetPositionWeights();
     monitor.Report(0);
@@ -73,14 +71,11 @@ public:
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
 
-  void SetUp(const MotionConstraints& motion);
-
-  /// Hubs and their neighbours stay: thousands of triangles that meet in a point are close to each
-  /// other everywhere, and the guard would compare all of them.
-  void HoldHubs();
-
-  void SetTargets();
-  void SetPositionWeights();
+  void SetPositionWeights()
+  {
+    lmo::SetPositionWeights(
+      this->Mesh, this->Guard.GetAdmittedQuality(), this->Adaption, this->Problem);
+  }
 
   /// The motion that Eqn. 11 proposes.
   Solution Propose(Monitor& monitor);
@@ -112,86 +107,9 @@ private:
   Vector Share;    ///< of the motion, 0 to 1
 };
 
-void Passes::HoldHubs()
-{
-  const MeshTopology& topology = this->Mesh.GetTopology();
-  Mask& freedom = this->Problem.motion.freedom;
-  for (Index i = 0; i < this->Size(); ++i)
-  {
-    if (topology.IsHub(i))
-    {
-      freedom[i] = MotionConstraints::FIXED;
-      std::for_each(topology.oneRings.Begin(i), topology.oneRings.End(i),
-        [&](Index j) { freedom[j] = MotionConstraints::FIXED; });
-    }
-  }
-}
-
-void Passes::SetUp(const MotionConstraints& motion)
-{
-  this->Problem.L = this->Mesh.GetLaplacian(LaplacianType::UNIFORM);
-  this->Problem.laplacianWeights = Vector::Zero(this->Size());
-  this->Problem.motion = motion;
-  this->HoldHubs();
-  for (Index i = 0; i < this->Size(); ++i)
-  {
-    auto& freedom = this->Problem.motion.freedom[i];
-    if (freedom == MotionConstraints::FREE)
-    {
-      this->Problem.laplacianWeights[i] = 1;
-      freedom = MotionConstraints::IN_PLANE;
-    }
-  }
-}
-
-void Passes::SetTargets()
-{
-  const Points& V = this->Guard.GetAdmitted();
-  MotionConstraints& motion = this->Problem.motion;
-  motion.axes = VertexNormals(V, this->Mesh.GetTriangles(), this->Mesh.GetTopology());
-  this->Problem.lineRows.clear();
-  ForEachLineVertex(this->Features,
-    [&](Index i, Index previous, Index next)
-    {
-      const Vector3 tangent = (V.row(next) - V.row(previous)).stableNormalized();
-      motion.axes.row(i) = tangent;
-      if (motion.freedom[i] == MotionConstraints::ALONG_LINE)
-      {
-        const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
-        this->Problem.lineRows.push_back(
-          { i, previous, next, 1, -laplacian.dot(tangent) * tangent });
-      }
-    });
-  auto target = std::make_shared<Points>(this->Size(), 3);
-  ParallelFor(this->Size(),
-    [&](Index i)
-    {
-      // c = f - L_u V with f = n n^T L_u V
-      const Vector3 laplacian = -this->Problem.L.rowScale[i] * StiffnessRow(this->Problem.L, V, i);
-      const Vector3 normal = motion.axes.row(i);
-      target->row(i) = laplacian.dot(normal) * normal - laplacian;
-    });
-  this->Problem.target = std::move(target);
-}
-
-void Passes::SetPositionWeights()
-{
-  const Vector& cumulative = this->Mesh.GetCumulativeWeights();
-  const Vector quality =
-    MinimumAtVertices(this->Guard.GetAdmittedQuality(), this->Mesh.GetTriangles(), this->Size());
-  this->Problem.positionWeights.resize(this->Size());
-  ParallelFor(this->Size(),
-    [&](Index i)
-    {
-      const double shape = std::min(1.0, quality[i] / GoodQuality);
-      this->Problem.positionWeights[i] =
-        std::max(LeastPositionWeight, PositionScale * cumulative[i] * this->Adaption[i] * shape);
-    });
-}
-
 Solution Passes::Propose(Monitor& monitor)
 {
-  this->SetTargets();
+  SetTargets(this->Mesh, this->Features, this->Guard.GetAdmitted(), this->Problem);
   this->SetPositionWeights();
   SolverOptions solver = this->Options.solver;
   solver.tolerance = SolverTolerance;

@@ -58,6 +58,7 @@ set(layers
   LinearSolver
   OptimizerOptions
   ProblemSetup
+  DeviationProblem
   DeviationOptimizer
   Optimizer)
 

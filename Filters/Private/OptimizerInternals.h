@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OptimizerInternals_h
+#define OptimizerInternals_h
+
+#include "OptimizerEngine.h"
+
+#include "vtkLaplacianMeshOptimizer.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkPolyData;
+class vtkSelection;
+
+/// What needs the numerics' types.
+struct vtkLaplacianMeshOptimizer::Internals
+{
+  explicit Internals(vtkLaplacianMeshOptimizer* filter)
+    : Filter(filter)
+  {
+  }
+
+  vtkLaplacianMeshOptimizer* const Filter;
+
+  std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> Engine;
+
+  /// \throw lmo::InputError if a property is out of range.
+  void CheckProperties() const;
+
+  lmo::OptimizerOptions ReadOptions() const;
+
+  /// The point array of an index; null if none is chosen.
+  /// \throw lmo::InputError if the chosen one does not exist.
+  vtkDataArray* FindArray(int index, vtkPolyData* input) const;
+
+  /// \param selection may be null
+  lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
+
+  /// \param selection may be null
+  /// \param pieces in which the whole surface comes
+  void Execute(vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces);
+
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
+
+  /// Sets the figures that the Get methods return.
+  void SetFigures(const lmo::OptimizerResult& result) const;
+
+  void WriteFigures(vtkFieldData* fieldData) const;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+#endif
