@@ -78,21 +78,6 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
   return 11 * problem.Size() / sum;
 }
 
-/// A vertex with thousands of neighbours, which makes the products of the multigrid's matrices
-/// dense.
-bool HasHub(const LeastSquaresProblem& problem)
-{
-  constexpr Index largestRing = 1000;
-  for (Index i = 0; i < problem.Size(); ++i)
-  {
-    if (problem.L.rings->Size(i) > largestRing)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
 /// \throw SolverError if K + R is singular to double precision.
 void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
@@ -109,21 +94,21 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
     return;
   }
   monitor.Report(0);
-  const auto matrix = std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness());
-  if (!HasHub(problem))
-  {
-    Iterate(A,
-      SquaredPreconditioner<Multigrid>(problem, matrix, inverses.GetMultigrid(matrix, monitor)),
-      options, AffordableMultigridIterations(problem.Size()), monitor, solution);
-  }
+  const auto soft =
+    std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness(), problem.softEdgeWeights);
+  Iterate(A, SquaredPreconditioner<Multigrid>(problem, soft, inverses.GetMultigrid(soft, monitor)),
+    options, AffordableMultigridIterations(problem.Size()), monitor, solution);
   if (IsFinished(solution, options))
   {
     return;
   }
   monitor.Report(0);
+  const auto exact = problem.softEdgeWeights
+                       ? std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness())
+                       : soft;
   Iterate(A,
     SquaredPreconditioner<StiffnessFactorisation>(
-      problem, matrix, inverses.GetFactorisation(matrix, monitor)),
+      problem, exact, inverses.GetFactorisation(exact, monitor)),
     options, options.maximumIterations, monitor, solution);
 }
 

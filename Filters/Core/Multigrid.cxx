@@ -44,6 +44,7 @@ Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& mo
   }
   else
   {
+    monitor.Report(0);
     coarse = this->Eliminated.SchurComplement(*this->Matrix);
     this->RestrictedRightHandSide.resize(4, coarse.rows());
     this->RestrictedSolution.resize(4, coarse.rows());

@@ -71,6 +71,7 @@ private:
   template <typename Rows>
   void FactoriseCoarsest(const Rows& matrix);
 
+  /// Calls the cycle for the unknowns that are not eliminated, and finds the others from these.
   void WithoutEliminated(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
     Monitor& monitor, Cycle cycle);
 

@@ -13,8 +13,9 @@ namespace lmo
 {
 namespace
 {
-constexpr double SmallestRelativeQ = 1e-6; ///< where a row is empty: relative to the largest
-constexpr double SmallestRelativeR = 1e-6; ///< where W_p = 0: relative to E
+constexpr double SmallestRelativeQ = 1e-12; ///< where a row is empty: relative to the largest
+constexpr Index LargestRing = 1000;         ///< with more, products of matrices become dense
+constexpr double SmallestRelativeR = 1e-6;  ///< where W_p = 0: relative to E
 
 /// Mean of W_p^2 over a vertex and its one-ring.
 double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
@@ -27,11 +28,11 @@ double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
 }
 }
 
-ShiftedStiffness::ShiftedStiffness(
-  const LeastSquaresProblem& problem, std::shared_ptr<const PackedStiffness<float>> K)
-  : L{ problem.L.rings, problem.softEdgeWeights ? problem.softEdgeWeights : problem.L.edgeWeights,
-    {} }
-  , K(problem.softEdgeWeights ? std::make_shared<const PackedStiffness<float>>(L) : std::move(K))
+ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
+  std::shared_ptr<const PackedStiffness<float>> K,
+  const std::shared_ptr<const Vector>& softEdgeWeights)
+  : L{ problem.L.rings, softEdgeWeights ? softEdgeWeights : problem.L.edgeWeights, {} }
+  , K(softEdgeWeights ? std::make_shared<const PackedStiffness<float>>(L) : std::move(K))
   , shift(problem.Size())
   , diagonal(problem.Size())
   , inverseQ(problem.Size())
@@ -52,7 +53,8 @@ ShiftedStiffness::ShiftedStiffness(
       const double q = std::max(Q[i], smallestQ);
       const double sum = WeightSum(this->L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
-      this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE;
+      this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE ||
+                           problem.L.rings->Size(i) > LargestRing;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
       const double here = problem.positionWeights[i] / std::sqrt(q);
       const double mean = std::sqrt(MeanSquaredWeight(problem, i) / q);

@@ -12,10 +12,12 @@ namespace lmo
 /// in size its two terms are. It is the closer the less R changes from vertex to vertex, which
 /// would not matter to A: instead of W_p, R has its mean over the one-ring, as long as that does
 /// not outweigh K. Bounds keep K + R and Q from being singular. Vertices that are not free to move
-/// in all directions are left out: their unknowns are 0. If the problem has soft edge weights, K
-/// and Q are those that L would have with them: the ends of a very short edge then have an R that
-/// is not out of all proportion to that of their neighbours, while L, whose rows are scaled to a
-/// sum of 1, hardly differs.
+/// in all directions, and those with very many neighbours, whose rows would make products of
+/// matrices dense, are left out: their unknowns are 0.
+///
+/// With soft edge weights K and Q are those that L would have with them: the ends of a very short
+/// edge then have an R that is not out of all proportion to that of their neighbours, which
+/// multigrid needs, while L, whose rows are scaled to a sum of 1, hardly differs.
 struct ShiftedStiffness
 {
   using Values = Eigen::ArrayXf;
@@ -28,8 +30,10 @@ struct ShiftedStiffness
   Mask isLeftOut;
 
   /// \param K that of the problem's Laplacian, used unless there are soft weights
-  ShiftedStiffness(
-    const LeastSquaresProblem& problem, std::shared_ptr<const PackedStiffness<float>> K);
+  /// \param softEdgeWeights may be null
+  ShiftedStiffness(const LeastSquaresProblem& problem,
+    std::shared_ptr<const PackedStiffness<float>> K,
+    const std::shared_ptr<const Vector>& softEdgeWeights = nullptr);
 
   /// Entries of both matrices are in the same places.
   bool HasPatternOf(const ShiftedStiffness& other) const;

@@ -323,19 +323,20 @@ void CheckReuseOfInverses(Checks& c)
   smooth.Run(options, {}, monitor);
   c.True("another scale factor needs a new hierarchy", Counts(smooth)[0] == 2);
 
-  const TestMesh hub = Globe(1100, 10);
-  Optimizer hard(hub.V, hub.T);
+  options.laplacianType = LaplacianType::COTANGENT;
+  const TestMesh thin = WithThinTriangles(Icosphere(5));
+  Optimizer hard(thin.V, thin.T);
   hard.Run(options, {}, monitor);
   options.solver.tolerance = 1e-6;
   hard.Run(options, {}, monitor);
   c.True(
-    "another tolerance needs no new factorisation", Counts(hard) == std::vector<int>{ 0, 1, 1 });
+    "another tolerance needs no new factorisation", Counts(hard) == std::vector<int>{ 1, 1, 1 });
   options.scaleFactor = 0.003;
   const OptimizerResult changed = hard.Run(options, {}, monitor);
   c.True("another scale factor needs a new factorisation in the kept order",
-    Counts(hard) == std::vector<int>{ 0, 2, 1 });
+    Counts(hard) == std::vector<int>{ 2, 2, 1 });
   c.Error("a kept order gives the same result",
-    MaximumDistance(changed.positions, Run(hub, options).positions), 0);
+    MaximumDistance(changed.positions, Run(thin, options).positions), 0);
 }
 }
 

@@ -215,24 +215,29 @@ Points SolveOnThreads(
   return positions;
 }
 
-/// A plain system, one for multigrid and one for the factorised K + R.
+void CheckThreads(
+  Checks& c, const std::string& name, const TestMesh& mesh, const OptimizerOptions& options)
+{
+  const Points sequential = SolveOnThreads(mesh, options, "Sequential", 1);
+  for (const int threads : { 2, 3 })
+  {
+    c.Error("the solution does not depend on the number of threads: " + name,
+      MaximumDistance(SolveOnThreads(mesh, options, "STDThread", threads), sequential), 0);
+  }
+}
+
 void CheckThreads(Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(5), 0.005);
-  OptimizerOptions plain = Options(Mode::SMOOTH);
-  OptimizerOptions smooth = plain;
-  smooth.scaleFactor = 0.003;
-  OptimizerOptions hard = Options(Mode::SMOOTH, LaplacianType::MEAN_CURVATURE);
-  hard.scaleFactor = 0.001;
-  for (const OptimizerOptions& options : { plain, smooth, hard })
-  {
-    const Points sequential = SolveOnThreads(mesh, options, "Sequential", 1);
-    for (const int threads : { 2, 3 })
-    {
-      c.Error("the solution does not depend on the number of threads",
-        MaximumDistance(SolveOnThreads(mesh, options, "STDThread", threads), sequential), 0);
-    }
-  }
+  const TestMesh thin = WithThinTriangles(Icosphere(5));
+  OptimizerOptions options = Options(Mode::SMOOTH);
+  CheckThreads(c, "the diagonal", mesh, options);
+  options.scaleFactor = 0.003;
+  CheckThreads(c, "multigrid", mesh, options);
+  options.laplacianType = LaplacianType::MEAN_CURVATURE;
+  CheckThreads(c, "multigrid after an elimination", thin, options);
+  options.laplacianType = LaplacianType::COTANGENT;
+  CheckThreads(c, "the factorised K + R", thin, options);
 }
 
 /// Triangles so thin that diagonals say little about the matrix.
