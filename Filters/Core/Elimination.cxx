@@ -11,7 +11,7 @@ namespace lmo
 {
 namespace
 {
-constexpr double LargestLeak = 1.6;
+constexpr double LargestLeak = 1.6;  ///< of unknowns that stay
 constexpr Index LargestValence = 20; ///< the square of it bounds the entries that are added
 constexpr double FewShare = 0.02;    ///< fewer unknowns are not worth a matrix of their own
 

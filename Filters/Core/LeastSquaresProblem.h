@@ -55,7 +55,7 @@ struct LineRow
 struct LeastSquaresProblem
 {
   Laplacian L;
-  std::shared_ptr<const Vector> softEdgeWeights; ///< for preconditioners: those of L without the
+  std::shared_ptr<const Vector> softEdgeWeights; ///< for multigrid: those of L without the
                                                  ///< largest; null stands for those of L
   Vector laplacianWeights;                       ///< diagonal of W_L
   std::shared_ptr<const Points> target;          ///< c

@@ -103,6 +103,7 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
     return;
   }
   monitor.Report(0);
+  // What multigrid cannot cope with is nothing to a factorisation.
   const auto exact = problem.softEdgeWeights
                        ? std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness())
                        : soft;

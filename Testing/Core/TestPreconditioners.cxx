@@ -238,10 +238,10 @@ double SchurComplementError(const ShiftedStiffness& matrix, const Elimination& e
 
 void CheckElimination(Checks& c)
 {
-  const System curved(SphereWithThinTriangles(), Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
-  const Elimination elimination(*curved.matrix);
+  const System areas(SphereWithThinTriangles(), Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
+  const Elimination elimination(*areas.matrix);
   c.True("areas that differ make some unknowns be eliminated", !elimination.IsEmpty());
-  c.Error("S is P^T (K + R) P", SchurComplementError(*curved.matrix, elimination), 1e-4);
+  c.Error("S is P^T (K + R) P", SchurComplementError(*areas.matrix, elimination), 1e-4);
   for (const LaplacianType type : { LaplacianType::UNIFORM, LaplacianType::COTANGENT })
   {
     const System system(SphereWithThinTriangles(), Smoothing(type, 0.01));

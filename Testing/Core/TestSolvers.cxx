@@ -251,6 +251,11 @@ void CheckHardSystem(Checks& c)
     result.relativeResidual, 1e-8);
   c.Error("thin triangles: direct and iterative solutions agree",
     MaximumDistance(result.positions, Run(mesh, options).positions), 1e-4);
+  options.laplacianType = LaplacianType::COTANGENT;
+  options.scaleFactor = 0.003;
+  const OptimizerResult factorised = Run(mesh, Iterative(options, 1e-6));
+  c.True("what multigrid cannot cope with takes a factorisation few iterations",
+    factorised.isConverged && factorised.iterations <= 100);
 }
 }
 
