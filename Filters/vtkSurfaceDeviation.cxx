@@ -18,7 +18,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocalObject.h"
 #include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
@@ -81,18 +80,23 @@ public:
   lmo::Vector Distances(const lmo::Points& queries)
   {
     lmo::Vector distances = lmo::Vector::Zero(queries.rows());
-    vtkSMPThreadLocalObject<vtkGenericCell> cells;
-    lmo::ParallelFor(lmo::Index(queries.rows()),
-      [&](lmo::Index i)
+    lmo::ParallelRanges(
+      lmo::Index(queries.rows()),
+      [&](lmo::Index begin, lmo::Index end)
       {
-        double closest[3];
-        vtkIdType cell = -1;
-        int subId = 0;
-        double squaredDistance = 0;
-        this->Locator->FindClosestPoint(
-          queries.row(i).data(), closest, cells.Local(), cell, subId, squaredDistance);
-        distances[i] = std::sqrt(squaredDistance);
-      });
+        vtkNew<vtkGenericCell> cell;
+        for (lmo::Index i = begin; i < end; ++i)
+        {
+          double closest[3];
+          vtkIdType id = -1;
+          int subId = 0;
+          double squaredDistance = 0;
+          this->Locator->FindClosestPoint(
+            queries.row(i).data(), closest, cell, id, subId, squaredDistance);
+          distances[i] = std::sqrt(squaredDistance);
+        }
+      },
+      lmo::ParallelGrain);
     return distances;
   }
 

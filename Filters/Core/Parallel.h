@@ -18,14 +18,28 @@ constexpr Index ParallelBlock = 2048;
 /// Fewest calls of a loop's body that are worth a thread.
 constexpr Index ParallelGrain = 256;
 
+/// Number of threads that serve a parallel loop of the calling thread.
+inline int NumberOfThreads()
+{
+  if (SerialScope::IsActive())
+  {
+    return 1;
+  }
+  const ThreadTeam* team = ThreadTeam::Current();
+  return team ? team->Size() : vtkSMPTools::GetEstimatedNumberOfThreads();
+}
+
 /// Calls body(k) for every k in [0, count), in any order and on several threads, on those that
 /// vtkSMPTools provides.
 template <typename Body>
 void ParallelTasks(Index count, const Body& body)
 {
-  if (count == 1)
+  if (count == 1 || SerialScope::IsActive())
   {
-    body(0);
+    for (Index k = 0; k < count; ++k)
+    {
+      body(k);
+    }
     return;
   }
   if (ThreadTeam* team = ThreadTeam::Current())
@@ -50,8 +64,7 @@ void ParallelRanges(Index count, const Body& body, Index block = ParallelBlock)
 {
   const Index blocks = count / block + (count % block != 0);
   // Several ranges for each thread even out their speeds; more would cost in overhead.
-  const Index ranges =
-    blocks > 1 ? std::min(blocks, 4 * vtkSMPTools::GetEstimatedNumberOfThreads()) : blocks;
+  const Index ranges = blocks > 1 ? std::min(blocks, 4 * NumberOfThreads()) : blocks;
   ParallelTasks(ranges,
     [&](Index range)
     {

@@ -4,6 +4,7 @@
 #define lmo_RunAside_h
 
 #include "Monitor.h"
+#include "ThreadTeam.h"
 
 #include <chrono>
 #include <future>
@@ -21,7 +22,12 @@ template <typename Work>
 auto RunAside(Monitor& monitor, Work work)
 {
   constexpr std::chrono::milliseconds pause(50);
-  std::packaged_task<decltype(work())()> task(std::move(work));
+  std::packaged_task<decltype(work())()> task(
+    [work = std::move(work)]() mutable
+    {
+      const SerialScope scope;
+      return work();
+    });
   auto result = task.get_future();
   std::thread thread(std::move(task));
   try

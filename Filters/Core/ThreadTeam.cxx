@@ -16,6 +16,7 @@ namespace lmo
 namespace
 {
 thread_local ThreadTeam* CurrentTeam = nullptr;
+thread_local bool IsSerial = false;
 
 /// Looks at a condition a while before sleeping: the next loop often follows within microseconds.
 template <typename Condition>
@@ -140,6 +141,7 @@ private:
 
   void RunTasks(Index begin, Index end, const std::function<void(Index)>& task)
   {
+    const SerialScope scope;
     try
     {
       for (Index k = begin; k < end; ++k)
@@ -169,6 +171,21 @@ private:
   bool IsFinished = false;
   std::exception_ptr Error;
 };
+
+SerialScope::SerialScope()
+  : Previous(std::exchange(IsSerial, true))
+{
+}
+
+SerialScope::~SerialScope()
+{
+  IsSerial = this->Previous;
+}
+
+bool SerialScope::IsActive()
+{
+  return IsSerial;
+}
 
 ThreadTeam::ThreadTeam(int threads)
   : Members(new Implementation(threads))

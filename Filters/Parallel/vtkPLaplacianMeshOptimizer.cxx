@@ -20,7 +20,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -246,13 +245,13 @@ int vtkPLaplacianMeshOptimizer::RequestData(
   int result = 0;
   const auto run = [&]
   { result = this->Superclass::RequestData(request, inputVector, outputVector); };
-  if (CommunicatorOf(this->Controller) == MPI_COMM_NULL || lmo::IsBackendChosen())
+  if (CommunicatorOf(this->Controller) == MPI_COMM_NULL)
   {
     run();
   }
   else
   {
-    vtkSMPTools::LocalScope(vtkSMPTools::Config{ 1, "STDThread", false }, run);
+    lmo::WithBackend(1, run);
   }
   return result;
 }

@@ -86,27 +86,35 @@ inline bool IsBackendChosen()
          std::strcmp(vtkSMPTools::GetBackend(), "Sequential") != 0;
 }
 
+/// Calls body() with the backend of vtkSMPTools that the user chose, otherwise with threads.
+/// \param threads their number if the user chose no backend; 0 stands for one for each processor
+template <typename Body>
+void WithBackend(int threads, const Body& body)
+{
+  if (IsBackendChosen())
+  {
+    body();
+    return;
+  }
+  vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false }, body);
+}
+
 /// Calls body() with the threads that vtkSMPTools provides: as the user chose, otherwise one for
 /// each processor.
 template <typename Body>
 void RunOnThreads(const Body& body)
 {
-  const auto run = [&body]
-  {
-    if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+  WithBackend(0,
+    [&body]
     {
-      const ThreadTeam team(vtkSMPTools::GetEstimatedNumberOfThreads());
+      if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
+      {
+        const ThreadTeam team(vtkSMPTools::GetEstimatedNumberOfThreads());
+        body();
+        return;
+      }
       body();
-      return;
-    }
-    body();
-  };
-  if (IsBackendChosen())
-  {
-    run();
-    return;
-  }
-  vtkSMPTools::LocalScope(vtkSMPTools::Config{ 0, "STDThread", false }, run);
+    });
 }
 
 /// RequestData() of all filters: calls body() on threads, unless \a input is null as that of a

@@ -8,8 +8,8 @@ set(layers
   Exceptions
   Rounding
   Monitor
-  RunAside
   ThreadTeam
+  RunAside
   Parallel
   MeshTopology
   VertexOrder
@@ -61,6 +61,17 @@ set(layers
   DeviationProblem
   DeviationOptimizer
   Optimizer)
+
+# Threads of our own are strangers to vtkSMPTools: what asks it who the calling thread is stands in
+# the files that know which thread that is.
+function (check_thread_queries file)
+  cmake_path(GET file FILENAME filename)
+  file(STRINGS "${file}" queries
+    REGEX "vtkSMPThreadLocal|GetEstimatedNumberOfThreads|IsParallelScope|GetSingleThread|LocalScope")
+  if (queries AND NOT filename MATCHES "^(Parallel|FilterSupport)\\.h$")
+    message(SEND_ERROR "${filename} asks vtkSMPTools about the calling thread: ${queries}")
+  endif ()
+endfunction ()
 
 # What a file includes, as a list of names without < > and quotes.
 function (read_includes file result)
@@ -116,6 +127,10 @@ endforeach ()
 file(GLOB public_headers "${FILTERS}/vtk*.h")
 foreach (file IN LISTS public_headers)
   check_public_header("${file}")
+endforeach ()
+file(GLOB_RECURSE all_files "${FILTERS}/*.h" "${FILTERS}/*.cxx" "${FILTERS}/*.txx")
+foreach (file IN LISTS all_files)
+  check_thread_queries("${file}")
 endforeach ()
 list(LENGTH core_files core_count)
 list(LENGTH public_headers public_count)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 
+#include "Core/Parallel.h"
 #include "Core/RunAside.h"
 
 #include <atomic>
@@ -56,6 +57,14 @@ int TestRunAside(int, char*[])
       }) == 42);
   c.Throws<std::domain_error>("what the work throws is thrown",
     [&] { RunAside(patient, []() -> int { throw std::domain_error("work"); }); });
+
+  c.True("loops of the work run on its thread alone",
+    RunAside(patient, [] { return NumberOfThreads(); }) == 1);
+  const ThreadTeam team(3);
+  const Index threads = ParallelSum(
+    Index(3 * ParallelBlock), Index(0), [](Index& sum, Index) { sum += NumberOfThreads(); });
+  c.True("loops inside a loop of a team run on its thread alone",
+    threads == 3 * ParallelBlock && NumberOfThreads() == 3);
 
   TestMonitor impatient(true);
   const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
