@@ -26,7 +26,10 @@ set(lmo_testing_components
   FiltersCore FiltersModeling FiltersSources ImagingCore IOGeometry IOPLY IOXML TestingCore)
 set(lmo_paraview_components
   RemotingCore RemotingClientServerStream RemotingServerManager WrapClientServer ProcessXML)
+# vtk_module_install_headers() passes an empty list on, which CMake 3.31 and later warn of.
+set(CMAKE_POLICY_DEFAULT_CMP0174 OLD)
 if (LMO_PARAVIEW)
+  include(LaplacianMeshParaViewExports)
   find_package(ParaView 5.11 REQUIRED COMPONENTS ${lmo_paraview_components})
   cmake_dependent_option(LMO_WRAP_PYTHON "Wrap the filters for Python" ON
     "PARAVIEW_USE_PYTHON" OFF)
@@ -193,6 +196,7 @@ install(
   FILES
     "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
     "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
+    CMake/LaplacianMeshParaViewExports.cmake
   DESTINATION "${lmo_cmake_destination}")
 
 install(FILES LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")

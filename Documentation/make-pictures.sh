@@ -9,7 +9,7 @@ pictures="$source_dir/Documentation/pictures"
 images="$source_dir/Documentation/images"
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" "${display_packages[@]}" \
+install_build_packages "${display_packages[@]}" \
   python3-matplotlib python3-pil libcgal-dev
 if [ ! -e "$build_dir/setup-env.sh" ]; then
   cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \

@@ -152,7 +152,10 @@ def show_surface(view, source, title):
     colors.RGBPoints = [0, 0.7, 0.05, 0.1, 0.5, 1, 0.95, 0.7, 1, 0.2, 0.4, 0.7]
     display.SetScalarBarVisibility(view, True)
     bar = GetScalarBar(colors, view)
-    bar.Title, bar.ComponentTitle, bar.RangeLabelFormat = 'radius ratio', '', '%.0f'
+    bar.Title, bar.ComponentTitle = 'radius ratio', ''
+    version = GetParaViewVersion()
+    is_printf = (version.major, version.minor) < (6, 1)
+    bar.RangeLabelFormat = '%.0f' if is_printf else '{:.0f}'
     bar.TitleColor = bar.LabelColor = [0, 0, 0]
     bar.WindowLocation = 'Lower Center'
     bar.Orientation = 'Horizontal'

@@ -15,7 +15,7 @@ for argument in "$@"; do
 done
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" "${display_packages[@]}"
+install_build_packages "${display_packages[@]}"
 if [ ! -e "$build_dir/setup-env.sh" ]; then
   cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
     -DBUILD_TESTING=OFF >/dev/null

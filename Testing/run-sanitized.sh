@@ -9,8 +9,9 @@ preset=${1:-address}
 shift || true
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" "${analysis_packages[@]}" libtbb-dev
-unpack_vtk "$source_dir/build-vtk/vtk"
+install_packages "${tool_packages[@]}" "${analysis_packages[@]}"
+is_installed libvtk9-dev || install_build_packages libtbb-dev
+use_vtk "$source_dir/build-vtk/vtk"
 export UBSAN_OPTIONS=print_stacktrace=1
 
 cd "$source_dir"

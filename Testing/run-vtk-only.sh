@@ -1,13 +1,14 @@
 #!/usr/bin/env bash
-# Builds the module against VTK alone (Debian's 9.1) in build-vtk/ and runs its C++ and Python tests.
+# Builds the module against the distribution's VTK alone, in build-vtk/, and runs its C++ and Python
+# tests. Arguments go to ctest.
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir="$source_dir/build-vtk"
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" libtbb-dev
-unpack_vtk "$build_dir/vtk"
-export PYTHONPATH="$build_dir/vtk/usr/lib/python3/dist-packages"
+install_packages "${tool_packages[@]}"
+is_installed libvtk9-dev || install_build_packages libtbb-dev
+use_vtk "$build_dir/vtk"
 
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DLMO_PARAVIEW=OFF -DVTK_DIR="$VTK_DIR" -DBUILD_TESTING=ON >/dev/null

@@ -7,8 +7,7 @@ source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir="$source_dir/build"
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" "${display_packages[@]}" "${test_packages[@]}" \
-  "${parallel_packages[@]}"
+install_build_packages "${display_packages[@]}" "${test_packages[@]}" "${parallel_packages[@]}"
 
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DBUILD_TESTING=ON -DLMO_USE_PETSC=ON -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null

@@ -32,7 +32,11 @@ void Check(PetscErrorCode code)
   if (code)
   {
     const char* general = nullptr;
+#if PETSC_VERSION_GE(3, 25, 0)
+    const char* specific = nullptr;
+#else
     char* specific = nullptr;
+#endif
     PetscErrorMessage(code, &general, &specific);
     throw SolverError(std::string("PETSc: ") + (general ? general : "error") +
                       (specific && *specific ? std::string(": ") + specific : std::string()));

@@ -4,6 +4,7 @@
 
 #include "vtkContourFilter.h"
 #include "vtkLinearSubdivisionFilter.h"
+#include "vtkMath.h"
 #include "vtkNew.h"
 #include "vtkOBJReader.h"
 #include "vtkPLYReader.h"
@@ -13,7 +14,6 @@
 #include "vtkRTAnalyticSource.h"
 #include "vtkSTLReader.h"
 #include "vtkTriangleFilter.h"
-#include "vtkVectorOperators.h"
 #include "vtkXMLPolyDataReader.h"
 
 #include <algorithm>
@@ -60,10 +60,11 @@ Mesh NoisySphere(int subdivisions)
   points->SetNumberOfPoints(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    vtkVector3d point;
-    sphere->GetPoint(i, point.GetData());
-    point = point.Normalized() * radius(generator);
-    points->SetPoint(i, point.GetData());
+    double point[3];
+    sphere->GetPoint(i, point);
+    vtkMath::Normalize(point);
+    vtkMath::MultiplyScalar(point, radius(generator));
+    points->SetPoint(i, point);
   }
   sphere->SetPoints(points);
   return sphere;

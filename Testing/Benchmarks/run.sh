@@ -20,7 +20,7 @@ for argument in "$@"; do
 done
 
 . "$source_dir/CMake/install-packages.sh"
-install_packages "${build_packages[@]}" libcgal-dev
+install_build_packages libcgal-dev
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DLMO_BENCHMARKS=ON >/dev/null
 cmake --build "$build_dir" -j2 --target LaplacianMeshBenchmark

@@ -46,7 +46,7 @@ double NormalError(const TestMesh& mesh, const Points& expected)
 {
   const Points normals = VertexNormals(mesh.V, mesh.T, *TestOperators(mesh).topology);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
-  return MaximumDistance(normals(boundary, Eigen::all), expected(boundary, Eigen::all));
+  return MaximumDistance(normals(boundary, Eigen::indexing::all), expected(boundary, Eigen::indexing::all));
 }
 
 /// Largest distance of kappa n at the boundary from that of the surface, relative to kappa.
@@ -54,8 +54,8 @@ double CurvatureNormalError(const TestMesh& mesh, const Points& expected)
 {
   MeshAnalysis analysis(mesh.V, mesh.T);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
-  return MaximumDistance(analysis.GetMeanCurvatureNormals()(boundary, Eigen::all),
-           expected(boundary, Eigen::all)) /
+  return MaximumDistance(analysis.GetMeanCurvatureNormals()(boundary, Eigen::indexing::all),
+           expected(boundary, Eigen::indexing::all)) /
          expected.row(0).norm();
 }
 

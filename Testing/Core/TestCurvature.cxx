@@ -72,7 +72,7 @@ double BoundaryRuleError(const TestMesh& mesh, const Values& values)
     if (isBoundary[i])
     {
       const double count = std::max<double>(inner.size(), 1);
-      const auto mean = (values(inner, Eigen::all).colwise().sum() / count).eval();
+      const auto mean = (values(inner, Eigen::indexing::all).colwise().sum() / count).eval();
       error = Larger(error, (values.row(i) - mean).norm());
     }
   }

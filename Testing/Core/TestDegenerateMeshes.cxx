@@ -20,7 +20,7 @@ TestMesh WithEqualPoints(TestMesh mesh, Index i, Index j)
 TestMesh BowTie()
 {
   TestMesh mesh = CrossRing();
-  mesh.T = Triangles(mesh.T({ 0, 2 }, Eigen::all));
+  mesh.T = Triangles(mesh.T({ 0, 2 }, Eigen::indexing::all));
   return mesh;
 }
 

@@ -81,16 +81,16 @@ double RenumberingError(const Model& model, const OptimizerOptions& options)
     place[order[i]] = static_cast<Index>(i);
   }
   Model image = model;
-  image.mesh.V = model.mesh.V(order, Eigen::all);
-  image.mesh.T = model.mesh.T(Shuffled(model.mesh.T.rows()), Eigen::all)
+  image.mesh.V = model.mesh.V(order, Eigen::indexing::all);
+  image.mesh.T = model.mesh.T(Shuffled(model.mesh.T.rows()), Eigen::indexing::all)
                    .unaryExpr([&](Index i) { return place[i]; });
   image.arrays.positionWeights = (*model.arrays.positionWeights)(order);
   image.arrays.laplacianWeights = (*model.arrays.laplacianWeights)(order);
-  image.arrays.prescribedLaplacians = (*model.arrays.prescribedLaplacians)(order, Eigen::all);
+  image.arrays.prescribedLaplacians = (*model.arrays.prescribedLaplacians)(order, Eigen::indexing::all);
   image.arrays.fixedPoints = (*model.arrays.fixedPoints)(order);
   const Points expected = Run(model.mesh, options, model.arrays).positions;
   return MaximumDistance(
-    Run(image.mesh, options, image.arrays).positions, expected(order, Eigen::all));
+    Run(image.mesh, options, image.arrays).positions, expected(order, Eigen::indexing::all));
 }
 
 /// Every combination of the enumerations, with its name.

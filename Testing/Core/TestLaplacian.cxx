@@ -39,7 +39,7 @@ double CentroidError(const TestMesh& mesh)
   {
     if (!neighbours[i].empty())
     {
-      centroids.row(i) = mesh.V(neighbours[i], Eigen::all).colwise().mean();
+      centroids.row(i) = mesh.V(neighbours[i], Eigen::indexing::all).colwise().mean();
     }
   }
   return MaximumDistance(mesh.V + Apply(TestOperators(mesh).uniform, mesh.V), centroids);

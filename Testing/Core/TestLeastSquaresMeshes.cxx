@@ -24,7 +24,7 @@ struct Energy
     double energy = 0;
     for (Eigen::Index i = 0; i < moved.rows(); ++i)
     {
-      const Vector3 delta = moved(this->rings[i], Eigen::all).colwise().mean() - moved.row(i);
+      const Vector3 delta = moved(this->rings[i], Eigen::indexing::all).colwise().mean() - moved.row(i);
       energy += std::pow(this->laplacianWeights[i], 2) * (delta - this->f.row(i)).squaredNorm();
       energy +=
         std::pow(this->positionWeights[i], 2) * (moved.row(i) - this->mesh.V.row(i)).squaredNorm();
@@ -131,7 +131,7 @@ double InnerFairnessError(const TestMesh& mesh, const Points& moved)
   double error = 0;
   for (std::size_t i = 0; i < rings.size(); ++i)
   {
-    const Vector3 delta = moved(rings[i], Eigen::all).colwise().mean() - moved.row(i);
+    const Vector3 delta = moved(rings[i], Eigen::indexing::all).colwise().mean() - moved.row(i);
     error = Larger(error, isBoundary[i] ? 0 : delta.norm());
   }
   return error;

@@ -84,7 +84,7 @@ TestMesh WithoutCollapsed(const TestMesh& mesh)
       kept.push_back(t);
     }
   }
-  return { mesh.V, Triangles(mesh.T(kept, Eigen::all)) };
+  return { mesh.V, Triangles(mesh.T(kept, Eigen::indexing::all)) };
 }
 
 void CheckDeviation(const Sample& sample, const OptimizerResult& result, Findings& findings)

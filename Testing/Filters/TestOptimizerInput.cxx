@@ -96,7 +96,7 @@ Points NormalsOf(const TestMesh& mesh)
   for (const auto& T : mesh.T.rowwise())
   {
     const Vector3 a = mesh.V.row(T[0]), b = mesh.V.row(T[1]), c = mesh.V.row(T[2]);
-    normals(T, Eigen::all).rowwise() += (b - a).cross(c - a);
+    normals(T, Eigen::indexing::all).rowwise() += (b - a).cross(c - a);
   }
   return normals.rowwise().normalized();
 }

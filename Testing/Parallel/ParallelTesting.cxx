@@ -48,7 +48,7 @@ Cut Sectors(const TestMesh& mesh)
 {
   return [mesh](Index t, int processes)
   {
-    const Vector3 centre = mesh.V(mesh.T.row(t).transpose(), Eigen::all).colwise().mean();
+    const Vector3 centre = mesh.V(mesh.T.row(t).transpose(), Eigen::indexing::all).colwise().mean();
     const double turn =
       std::atan2(centre[1] - 0.01, centre[0] + 0.02) / (2 * 3.14159265358979) + 0.5;
     return std::min(static_cast<int>(turn * processes), processes - 1);
@@ -73,7 +73,7 @@ void CopyArrays(vtkPolyData* whole, PieceOfMesh& piece)
   {
     const char* name = whole->GetPointData()->GetArrayName(k);
     const Eigen::MatrixXd values = PointValues(whole, name);
-    AddPointArray(piece.surface, name, values(piece.points, Eigen::all));
+    AddPointArray(piece.surface, name, values(piece.points, Eigen::indexing::all));
   }
   if (vtkDataArray* normals = whole->GetPointData()->GetNormals())
   {
@@ -248,7 +248,7 @@ double DifferenceFromWhole(const PieceOfMesh& piece, vtkPolyData* output, vtkPol
   const double diagonal = whole->GetLength();
   const Points V = PointsOf(whole);
   difference =
-    Larger(difference, Difference(PointsOf(output), V(piece.points, Eigen::all), diagonal));
+    Larger(difference, Difference(PointsOf(output), V(piece.points, Eigen::indexing::all), diagonal));
   for (int k = 0; k < whole->GetPointData()->GetNumberOfArrays(); ++k)
   {
     const std::string name = whole->GetPointData()->GetArrayName(k);
@@ -257,12 +257,12 @@ double DifferenceFromWhole(const PieceOfMesh& piece, vtkPolyData* output, vtkPol
                         : name == "MeanCurvature" ? std::max(expected.maxCoeff(), 1 / diagonal)
                                                   : 1;
     difference = Larger(difference,
-      Difference(PointValues(output, name.c_str()), expected(piece.points, Eigen::all), unit));
+      Difference(PointValues(output, name.c_str()), expected(piece.points, Eigen::indexing::all), unit));
   }
   for (const char* name : { "RadiusRatio", "InputRadiusRatio" })
   {
     difference = Larger(difference,
-      Difference(CellValues(output, name), CellValues(whole, name)(piece.cells, Eigen::all), 1));
+      Difference(CellValues(output, name), CellValues(whole, name)(piece.cells, Eigen::indexing::all), 1));
   }
   return difference;
 }

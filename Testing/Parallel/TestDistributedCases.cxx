@@ -150,7 +150,7 @@ vtkSmartPointer<vtkPolyData> WithArrays(const TestMesh& mesh)
   auto surface = MakePolyData(mesh);
   const Eigen::Index size = mesh.V.rows();
   Eigen::VectorXd anchor = Eigen::VectorXd::Zero(size);
-  anchor(Eigen::seq(0, Eigen::last, 5)).setOnes();
+  anchor(Eigen::seq(0, Eigen::indexing::last, 5)).setOnes();
   AddPointArray(surface, "Anchor", anchor);
   AddPointArray(surface, "Zero", Eigen::VectorXd::Zero(size));
   AddPointArray(surface, "Weight", (mesh.V.col(0).array().sin() + 1.1).matrix());

@@ -51,7 +51,7 @@ double DifferenceOf(MpiJob& job, vtkPolyData* whole, const SetUp& setUp)
     TakePiece(whole, Blocks(whole->GetNumberOfPolys()), job.Rank(), job.Size());
   const Points pieces = PointsOf(Optimized(piece.surface, precise));
   const Points alone = PointsOf(OptimizedAlone(whole, precise));
-  const Points expected = alone(piece.points, Eigen::all);
+  const Points expected = alone(piece.points, Eigen::indexing::all);
   return job.Largest((pieces - expected).cwiseAbs().maxCoeff() / whole->GetLength());
 }
 }

@@ -1,0 +1,49 @@
+#!/usr/bin/env bash
+# Makes a bare Debian system in a folder and runs both commands of the README in it as a new user
+# would, on what is committed here:
+#   bash Testing/run-on.sh SYSTEM [CTEST_ARGUMENT...]
+#   SYSTEM  a release of Debian: trixie, bookworm, forky, stable, testing ...
+# The folder is build-on/SYSTEM; there the system is kept for the next time, and the picture that
+# the first command made is left as optimized.png.
+set -euo pipefail
+if [ $# -eq 0 ]; then
+  sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
+  exit 2
+fi
+system=$1
+shift
+source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+root="$source_dir/build-on/$system/root"
+
+. "$source_dir/CMake/install-packages.sh"
+install_packages debootstrap git util-linux
+
+if [ ! -e "$root/etc/debian_version" ] || [ -e "$root/debootstrap" ]; then
+  as_root rm -rf "$root"
+  mkdir -p "$root"
+  # The script of Debian's unstable release makes all releases, those too that this system's
+  # debootstrap has no name for.
+  quietly as_root debootstrap --variant=minbase "$system" "$root" "" sid
+fi
+
+# in_system COMMAND...: in the system, with nothing of this one's environment.
+in_system() {
+  as_root unshare --mount --pid --fork bash -c '
+    set -e
+    root=$1
+    shift
+    mount -t proc proc "$root/proc"
+    mount -t tmpfs tmpfs "$root/dev/shm"
+    exec chroot "$root" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+  ' - "$root" "$@"
+}
+
+as_root rm -rf "$root/root/project"
+as_root git clone -q "file://$source_dir" "$root/root/project"
+as_root mkdir -p "$root/dev/shm"
+
+echo "--- $system: bash Examples/optimize.sh --output optimized.vtp --image optimized.png"
+in_system bash -c 'cd /root/project && bash Examples/optimize.sh --output optimized.vtp --image optimized.png'
+as_root cp "$root/root/project/optimized.png" "$source_dir/build-on/$system/optimized.png"
+echo "--- $system: bash Testing/run.sh $*"
+in_system bash -c 'cd /root/project && exec bash Testing/run.sh "$@"' - "$@"
