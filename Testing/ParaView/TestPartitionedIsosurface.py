@@ -18,6 +18,9 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges
 
+PLUGIN = os.environ["LMO_PLUGIN"]
+
+
 def free_port():
     with socket.socket() as probe:
         probe.bind(("localhost", 0))
@@ -154,8 +157,8 @@ def main():
     command = sys.argv[1:]
     if command:
         connect(command)
-        LoadPlugin("LaplacianMeshOptimization", remote=True, ns=globals())
-    LoadPlugin("LaplacianMeshOptimization", remote=False, ns=globals())
+        LoadPlugin(PLUGIN, remote=True, ns=globals())
+    LoadPlugin(PLUGIN, remote=False, ns=globals())
     result = unittest.main(argv=sys.argv[:1], exit=False).result
     if not result.wasSuccessful():
         sys.exit(1)

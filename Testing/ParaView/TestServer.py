@@ -4,6 +4,7 @@
 
 usage: TestServer.py <port of a pvserver>
 """
+import os
 import sys
 import unittest
 
@@ -13,7 +14,7 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 PORT = int(sys.argv.pop())
-PLUGIN = "LaplacianMeshOptimization"
+PLUGIN = os.environ["LMO_PLUGIN"]
 
 
 def optimized():
