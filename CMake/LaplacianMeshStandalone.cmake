@@ -144,7 +144,10 @@ if (LMO_WRAP_PYTHON)
   endif ()
   file(CONFIGURE OUTPUT "${lmo_python_init}" @ONLY CONTENT
     "@lmo_python_imports@\n__version__ = '@PROJECT_VERSION@'\n")
-  install(FILES "${lmo_python_init}" DESTINATION "${LMO_PYTHON_DESTINATION}/laplacianmesh")
+  configure_file(Filters/Python/pyvista.py
+    "${PROJECT_BINARY_DIR}/${LMO_PYTHON_DESTINATION}/laplacianmesh/pyvista.py" COPYONLY)
+  install(FILES "${lmo_python_init}" Filters/Python/pyvista.py
+    DESTINATION "${LMO_PYTHON_DESTINATION}/laplacianmesh")
 endif ()
 
 # --- The ParaView plugin -----------------------------------------------------------------------

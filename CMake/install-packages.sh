@@ -34,6 +34,14 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends "${missing[@]}"
 }
 
+# install_if_available PACKAGE...: of these, what the distribution has.
+install_if_available() {
+  local package
+  for package in "$@"; do
+    ! apt-cache show "$package" >/dev/null 2>&1 || install_packages "$package"
+  done
+}
+
 # install_build_packages [PACKAGE...]: what a build against ParaView needs, and other packages.
 install_build_packages() {
   install_packages "${build_packages[@]}" "$@"
@@ -85,7 +93,7 @@ tool_packages=(g++ cmake ninja-build libeigen3-dev libmetis-dev python3-dev pyth
 build_packages=("${tool_packages[@]}" paraview-dev python3-paraview libopenmpi-dev
   libdouble-conversion-dev)
 display_packages=(xvfb xauth libgl1-mesa-dri)
-test_packages=(paraview mpi-default-bin imagemagick dpkg-dev file)
+test_packages=(paraview mpi-default-bin imagemagick dpkg-dev file python3-pip python3-venv)
 analysis_packages=(clang clang-format clang-tidy libclang-rt-dev)
 
 # For surfaces over several processes; without them, the plugin works in one.

@@ -34,7 +34,9 @@ in_system() {
     shift
     mount -t proc proc "$root/proc"
     mount -t tmpfs tmpfs "$root/dev/shm"
-    exec chroot "$root" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+    # Not by exec: the first process of a namespace takes no signals, which xvfb-run waits for.
+    chroot "$root" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"
+    exit $?
   ' - "$root" "$@"
 }
 

@@ -8,6 +8,7 @@ build_dir="$source_dir/build"
 
 . "$source_dir/CMake/install-packages.sh"
 install_build_packages "${display_packages[@]}" "${test_packages[@]}" "${parallel_packages[@]}"
+install_if_available python3-pyvista
 
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DBUILD_TESTING=ON -DLMO_USE_PETSC=ON -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null
