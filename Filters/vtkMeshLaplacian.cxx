@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshLaplacian.h"
 
-#include "Core/Curvature.h"
-#include "Core/MeshAnalysis.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/Curvature.h"
+#include "Core/Operators/MeshQuantities.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataOutput.h"
 

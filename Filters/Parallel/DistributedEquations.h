@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedEquations_h
 #define lmo_DistributedEquations_h
 
-#include "../Core/Preconditioner.h"
+#include "Core/Solvers/JacobiPreconditioner.h"
 #include "DistributedMesh.h"
 
 namespace lmo

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedMesh.h"
 
-#include "../Core/Exceptions.h"
-#include "../Core/VertexOrder.h"
+#include "Core/Base/Exceptions.h"
+#include "Core/Mesh/VertexOrder.h"
 
 #include <algorithm>
 #include <cmath>

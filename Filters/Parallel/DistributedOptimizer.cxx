@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedOptimizer.h"
 
-#include "DistributedSolver.h"
 #include "DistributedSubdomain.h"
+#include "PetscSolver.h"
 
 namespace lmo
 {

@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedOptimizer_h
 #define lmo_DistributedOptimizer_h
 
-#include "../Core/Optimizer.h"
+#include "Core/Optimizer/Optimizer.h"
 #include "DistributedMesh.h"
 
 namespace lmo

@@ -3,8 +3,8 @@
 #ifndef lmo_DistributedRanking_h
 #define lmo_DistributedRanking_h
 
-#include "../Core/Types.h"
 #include "Communicator.h"
+#include "Core/Base/Types.h"
 
 namespace lmo
 {

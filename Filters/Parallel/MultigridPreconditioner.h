@@ -3,7 +3,7 @@
 #ifndef lmo_MultigridPreconditioner_h
 #define lmo_MultigridPreconditioner_h
 
-#include "../Core/ShiftedStiffness.h"
+#include "Core/Multigrid/ShiftedStiffness.h"
 #include "DistributedEquations.h"
 
 namespace lmo

@@ -3,8 +3,8 @@
 #ifndef FilterSupport_h
 #define FilterSupport_h
 
-#include "../Core/Monitor.h"
-#include "../Core/ThreadTeam.h"
+#include "Core/Base/ProgressMonitor.h"
+#include "Core/Base/ThreadPool.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"

@@ -3,7 +3,7 @@
 #ifndef OptimizerEngine_h
 #define OptimizerEngine_h
 
-#include "../Core/Optimizer.h"
+#include "Core/Optimizer/Optimizer.h"
 #include "PolyDataConversion.h"
 
 #include "vtkLaplacianMeshOptimizer.h"

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/MeshAnalysis.h"
-#include "Core/ProblemSetup.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/MeshQuantities.h"
+#include "Core/Optimizer/ProblemSetup.h"
 
 #include <cmath>
 
@@ -44,7 +44,7 @@ double CurvatureError(const TestMesh& mesh, double expected, bool isRobust)
 /// Largest distance of the vertex normals at the boundary from those of the surface.
 double NormalError(const TestMesh& mesh, const Points& expected)
 {
-  const Points normals = VertexNormals(mesh.V, mesh.T, *TestOperators(mesh).topology);
+  const Points normals = VertexNormals(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
   return MaximumDistance(normals(boundary, Eigen::all), expected(boundary, Eigen::all));
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
-#include "Core/DeviationGuard.h"
-#include "Core/Optimizer.h"
-#include "Core/TriangleCover.h"
-#include "Core/TriangleTree.h"
+#include "Core/Deviation/DeviationGuard.h"
+#include "Core/Deviation/OverlayBound.h"
+#include "Core/Mesh/TriangleBvh.h"
+#include "Core/Optimizer/Optimizer.h"
 
 #include <algorithm>
 #include <cmath>

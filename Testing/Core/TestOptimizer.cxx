@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/Quality.h"
-#include "Core/Weights.h"
+#include "Core/Mesh/TriangleQuality.h"
+#include "Core/Operators/Weights.h"
 
 #include <cmath>
 
@@ -118,7 +118,7 @@ void CheckBoundaries(Checks& c)
 /// Motion of a mesh whose own Laplacians are prescribed.
 double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
 {
-  const TestOperators operators(mesh);
+  const OperatorFixtures operators(mesh);
   Laplacian L = operators.uniform;
   if (type == LaplacianType::COTANGENT)
   {
@@ -182,7 +182,7 @@ void CheckEffects(Checks& c)
   planes.tangentPlaneConstraints = true;
   planes.tangentPlaneWeight = 1e6;
   const Points d = Run(noisy, planes).positions - noisy.V;
-  const Points n = Apply(TestOperators(noisy).meanCurvature, noisy.V).rowwise().normalized();
+  const Points n = Apply(OperatorFixtures(noisy).meanCurvature, noisy.V).rowwise().normalized();
   c.True("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)) > 0.01);
   c.Error("strong tangent planes stop motion along the normal",
     LargestMagnitude((d.array() * n.array()).rowwise().sum()), 1e-10);

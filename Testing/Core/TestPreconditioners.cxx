@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/ConjugateGradient.h"
-#include "Core/DirectSolver.h"
-#include "Core/Elimination.h"
-#include "Core/InverseCache.h"
-#include "Core/ProblemSetup.h"
-#include "Core/SquaredPreconditioner.h"
+#include "Core/Multigrid/SchurElimination.h"
+#include "Core/Optimizer/ProblemSetup.h"
+#include "Core/Solvers/BilaplacianPreconditioner.h"
+#include "Core/Solvers/ConjugateGradient.h"
+#include "Core/Solvers/DirectSolver.h"
+#include "Core/Solvers/PreconditionerCache.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,11 +4,11 @@
 // Properties of the modes with several steps on small meshes made from seeds. A failing property
 // names the seed, which alone repeats it:  lmoCoreTests TestRandomSteps SEED
 #include "Checks.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 #include "RandomMeshes.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
 
-#include "Core/ThreadTeam.h"
+#include "Core/Base/ThreadPool.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
-#include "Core/NormalFilter.h"
-#include "Core/Optimizer.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/NormalFilter.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Optimizer/Optimizer.h"
 
 #include <cmath>
 

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/ProblemSetup.h"
-#include "Core/ThreadTeam.h"
+#include "Core/Base/ThreadPool.h"
+#include "Core/Optimizer/ProblemSetup.h"
 
 #include "vtkSMPTools.h"
 
@@ -55,7 +55,7 @@ void CheckAgreement(Checks& c, BoundaryCondition boundary, const std::string& na
 /// |b - A d| / |b| of smoothing a closed mesh with L_u, from dense matrices.
 double TrueResidual(const TestMesh& mesh, const OptimizerResult& result)
 {
-  const Eigen::MatrixXd L = DenseMatrix(TestOperators(mesh).uniform);
+  const Eigen::MatrixXd L = DenseMatrix(OperatorFixtures(mesh).uniform);
   const Eigen::MatrixXd LtL = L.transpose() * L;
   const Points d = result.positions - mesh.V;
   const Points b = -LtL * mesh.V;

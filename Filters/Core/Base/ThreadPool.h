@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_ThreadPool_h
+#define lmo_ThreadPool_h
+
+#include "Core/Base/Types.h"
+
+#include <functional>
+#include <memory>
+
+namespace lmo
+{
+/// Threads that stay ready between parallel loops. vtkSMPTools' STDThread backend starts its
+/// threads anew for each loop, which costs as much as an iteration of the solver on 50,000
+/// vertices; it still says how many threads there are. A thread without work sleeps.
+class ThreadTeam
+{
+public:
+  /// The team of the calling thread until destruction.
+  /// \param threads including the calling one, >= 1
+  explicit ThreadTeam(int threads);
+  ~ThreadTeam();
+  ThreadTeam(const ThreadTeam&) = delete;
+  void operator=(const ThreadTeam&) = delete;
+
+  /// The team of the calling thread, or null.
+  static ThreadTeam* Current();
+
+  int Size() const;
+
+  /// Calls task(k) for all k in [0, count), and returns when all are done.
+  /// \throw what a task threw, the first of them.
+  void Run(Index count, const std::function<void(Index)>& task);
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> Members;
+  ThreadTeam* Previous;
+};
+}
+
+#endif
