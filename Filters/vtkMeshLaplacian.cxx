@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(lmo::MeshAnalysis& mesh, vtkPointData* pointData)
+void AddLaplacians(lmo::MeshQuantities& mesh, vtkPointData* pointData)
 {
   const lmo::Points& V = mesh.GetPoints();
   const lmo::MeshTopology& topology = mesh.GetTopology();
@@ -51,7 +51,7 @@ int vtkMeshLaplacian::RequestData(
     [&]
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
-      lmo::MeshAnalysis mesh(std::move(surface.points), std::move(surface.triangles));
+      lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
       mesh.SetRobustLaplacian(this->RobustLaplacian);
       output->ShallowCopy(input);
       AddLaplacians(mesh, output->GetPointData());

@@ -46,7 +46,7 @@ private:
 
   const LeastSquaresProblem& Problem;
   const DistributedMesh& Mesh;
-  PackedEquations<double> A;
+  NormalOperator<double> A;
   JacobiPreconditioner<double> Jacobi;
   PackedPoints<double> X;
   PackedPoints<double> Product;

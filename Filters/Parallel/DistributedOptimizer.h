@@ -23,7 +23,7 @@ public:
   /// are those of the whole surface.
   /// \param arrays may lack in processes without points
   OptimizerResult Run(
-    const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
+    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
 
 private:
   OptimizerResult ToPiece(OptimizerResult result) const;

@@ -39,7 +39,7 @@ private:
 };
 }
 
-VertexCopies::VertexCopies(
+GhostVertices::GhostVertices(
   const Communicator& comm, Index owned, const std::vector<VertexPlace>& places)
 {
   std::vector<PetscSFNode> owners(places.size());
@@ -53,23 +53,23 @@ VertexCopies::VertexCopies(
   Check(PetscSFSetUp(this->Forest));
 }
 
-void VertexCopies::Update(const double* owners, double* copies, int components) const
+void GhostVertices::Update(const double* owners, double* copies, int components) const
 {
   this->UpdateUnits(owners, copies, UnitType(components, MPI_DOUBLE));
 }
 
-void VertexCopies::Update(const float* owners, float* copies, int components) const
+void GhostVertices::Update(const float* owners, float* copies, int components) const
 {
   this->UpdateUnits(owners, copies, UnitType(components, MPI_FLOAT));
 }
 
-void VertexCopies::UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const
+void GhostVertices::UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const
 {
   Check(PetscSFBcastBegin(this->Forest, unit, owners, copies, MPI_REPLACE));
   Check(PetscSFBcastEnd(this->Forest, unit, owners, copies, MPI_REPLACE));
 }
 
-void VertexCopies::ReduceMaximum(const double* copies, double* owners) const
+void GhostVertices::ReduceMaximum(const double* copies, double* owners) const
 {
   Check(PetscSFReduceBegin(this->Forest, MPI_DOUBLE, copies, owners, MPI_MAX));
   Check(PetscSFReduceEnd(this->Forest, MPI_DOUBLE, copies, owners, MPI_MAX));

@@ -17,11 +17,11 @@ struct VertexPlace
 };
 
 /// A list of vertices, each of which is owned by some process.
-class VertexCopies
+class GhostVertices
 {
 public:
   /// \param owned number of vertices that this process owns
-  VertexCopies(const Communicator& comm, Index owned, const std::vector<VertexPlace>& places);
+  GhostVertices(const Communicator& comm, Index owned, const std::vector<VertexPlace>& places);
 
   /// Gives each copy the values of its owner.
   /// \param owners \a components values for each vertex owned, one vertex after the other

@@ -8,7 +8,7 @@
 
 namespace lmo
 {
-/// M = (K + R) Q (K + R) as in SquaredPreconditioner, where a cycle of hypre's BoomerAMG, or
+/// M = (K + R) Q (K + R) as in BilaplacianPreconditioner, where a cycle of hypre's BoomerAMG, or
 /// another preconditioner chosen with the options -lmo_amg_..., stands for (K + R)^-1.
 class MultigridPreconditioner
 {

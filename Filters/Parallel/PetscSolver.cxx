@@ -25,7 +25,7 @@ struct Run
 {
   const SolverOptions& options;
   Index affordable;
-  Monitor& monitor;
+  ProgressMonitor& monitor;
   double scale;  ///< |b|
   Index earlier; ///< iterations
   std::vector<double> norms;
@@ -115,7 +115,8 @@ public:
 
   /// Improves the solution until it meets the tolerance or there is no progress. Each run solves
   /// for a correction, from a residual that is computed anew.
-  void Improve(const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
+  void Improve(
+    const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution& solution)
   {
     bool goesOn = true;
     while (goesOn && solution.relativeResidual > options.tolerance &&
@@ -171,7 +172,7 @@ LeastSquaresProblem HoldCopies(const LeastSquaresProblem& problem, const Subdoma
   {
     if (!domain.OwnsVertex(i))
     {
-      held.motion.freedom[i] = MotionConstraints::FIXED;
+      held.motion.freedom[i] = DisplacementConstraints::FIXED;
     }
   }
   return held;
@@ -199,9 +200,9 @@ bool HasOptionsOfIteration(MPI_Comm comm)
 /// preconditioner. They take a third of the time and memory traffic of PETSc's.
 /// \param problem its copies are held
 void IterateInSingle(const LeastSquaresProblem& problem, const SolverOptions& options,
-  Monitor& monitor, const Subdomain& domain, Solution& solution)
+  ProgressMonitor& monitor, const Subdomain& domain, Solution& solution)
 {
-  PackedEquations<float> A(problem);
+  NormalOperator<float> A(problem);
   JacobiPreconditioner<float> M(problem);
   Solution next = solution;
   ConjugateGradient<float, JacobiPreconditioner<float>>(problem, A, M, domain)
@@ -214,7 +215,7 @@ void IterateInSingle(const LeastSquaresProblem& problem, const SolverOptions& op
 }
 
 void IterateWithDiagonal(DistributedEquations& equations, const SolverOptions& options,
-  Index affordable, Monitor& monitor, Solution& solution)
+  Index affordable, ProgressMonitor& monitor, Solution& solution)
 {
   const Application jacobi = [&](Vec residual, Vec result)
   { equations.ApplyJacobi(residual, result); };
@@ -222,7 +223,7 @@ void IterateWithDiagonal(DistributedEquations& equations, const SolverOptions& o
 }
 
 void IterateWithMultigrid(DistributedEquations& equations, const SolverOptions& options,
-  Monitor& monitor, Solution& solution)
+  ProgressMonitor& monitor, Solution& solution)
 {
   if (IsSolved(solution, options) || solution.iterations >= options.maximumIterations)
   {
@@ -252,7 +253,7 @@ void ImproveDirectly(const DistributedEquations& equations, Solution& solution)
 
 /// Goes on from the solution so far with multigrid and then, if it may, a factorisation.
 void ImproveByPetsc(DistributedEquations& equations, SolverType type, const SolverOptions& options,
-  Monitor& monitor, Solution& solution)
+  ProgressMonitor& monitor, Solution& solution)
 {
   IterateWithMultigrid(equations, options, monitor, solution);
   if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
@@ -277,7 +278,7 @@ void CheckSize(std::int64_t vertices)
 }
 
 Solution SolveDistributed(const LeastSquaresProblem& problem, SolverType type,
-  const SolverOptions& options, Monitor& monitor, const DistributedSubdomain& domain)
+  const SolverOptions& options, ProgressMonitor& monitor, const DistributedSubdomain& domain)
 {
   const DistributedMesh& mesh = domain.GetMesh();
   const PetscSession session(mesh.GetCommunicator().Get());

@@ -16,7 +16,7 @@ namespace lmo
 /// \return displacements that are right at the copies too
 /// \throw SolverError for errors of PETSc, and if the matrix is singular.
 Solution SolveDistributed(const LeastSquaresProblem& problem, SolverType type,
-  const SolverOptions& options, Monitor& monitor, const DistributedSubdomain& domain);
+  const SolverOptions& options, ProgressMonitor& monitor, const DistributedSubdomain& domain);
 }
 
 #endif

@@ -40,7 +40,7 @@ inline void KeepOutput(vtkAlgorithm* filter)
 }
 
 /// Passes progress to a filter's observers, and their wish to stop back.
-class FilterMonitor : public Monitor
+class FilterMonitor : public ProgressMonitor
 {
 public:
   explicit FilterMonitor(vtkAlgorithm* filter)
@@ -95,7 +95,7 @@ void RunOnThreads(const Body& body)
   {
     if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
     {
-      const ThreadTeam team(vtkSMPTools::GetEstimatedNumberOfThreads());
+      const ThreadPool team(vtkSMPTools::GetEstimatedNumberOfThreads());
       body();
       return;
     }

@@ -35,7 +35,7 @@ Eigen::MatrixXd DenseMatrix(const Laplacian& L)
 OptimizerResult Run(
   const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
-  Monitor monitor;
+  ProgressMonitor monitor;
   return Optimize(mesh.V, mesh.T, options, arrays, monitor);
 }
 

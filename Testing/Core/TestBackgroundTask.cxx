@@ -13,7 +13,7 @@ using namespace lmo;
 namespace
 {
 /// Remembers that it was asked, and cancels if it is told to.
-class TestMonitor : public Monitor
+class TestMonitor : public ProgressMonitor
 {
 public:
   explicit TestMonitor(bool cancels)
@@ -43,19 +43,19 @@ void WaitFor(const std::atomic<bool>& flag)
 }
 }
 
-int TestRunAside(int, char*[])
+int TestBackgroundTask(int, char*[])
 {
   Checks c;
   TestMonitor patient(false);
   c.True("the monitor is asked while the work is done, and the result is returned",
-    RunAside(patient,
+    RunInBackground(patient,
       [wasAsked = patient.WasAsked]
       {
         WaitFor(*wasAsked);
         return 42;
       }) == 42);
   c.Throws<std::domain_error>("what the work throws is thrown",
-    [&] { RunAside(patient, []() -> int { throw std::domain_error("work"); }); });
+    [&] { RunInBackground(patient, []() -> int { throw std::domain_error("work"); }); });
 
   TestMonitor impatient(true);
   const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
@@ -63,7 +63,7 @@ int TestRunAside(int, char*[])
   c.Throws<Cancelled>("a cancellation does not wait for the work",
     [&]
     {
-      RunAside(impatient,
+      RunInBackground(impatient,
         [mayEnd, hasEnded]
         {
           WaitFor(*mayEnd);

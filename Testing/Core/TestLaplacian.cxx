@@ -171,7 +171,7 @@ std::shared_ptr<const Vector> SoftWeights(const Vector3& a, const Vector3& b, co
 {
   TestMesh mesh = EquilateralTriangle();
   mesh.V << a, b, c;
-  return MeshAnalysis(mesh.V, mesh.T).GetSoftEdgeWeights();
+  return MeshQuantities(mesh.V, mesh.T).GetSoftEdgeWeights();
 }
 
 void CheckSoftWeights(Checks& c)

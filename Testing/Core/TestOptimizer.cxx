@@ -278,7 +278,7 @@ namespace
 void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
 {
   Optimizer optimizer(mesh.V, mesh.T);
-  Monitor monitor;
+  ProgressMonitor monitor;
   OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
   options.positionWeighting = PositionWeighting::CDF;
   optimizer.Run(options, {}, monitor);
@@ -300,7 +300,7 @@ void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
 /// Multigrid hierarchies, factorisations and orders of the unknowns made so far.
 std::vector<int> Counts(const Optimizer& optimizer)
 {
-  const InverseCache& inverses = optimizer.GetInverses();
+  const PreconditionerCache& inverses = optimizer.GetInverses();
   return { inverses.GetNumberOfHierarchies(), inverses.GetNumberOfFactorisations(),
     inverses.GetNumberOfOrders() };
 }
@@ -310,7 +310,7 @@ void CheckReuseOfInverses(Checks& c)
   OptimizerOptions options = Options(Mode::SMOOTH);
   options.scaleFactor = 0.003;
   options.solverType = SolverType::ITERATIVE;
-  Monitor monitor;
+  ProgressMonitor monitor;
   const TestMesh sphere = Irregular(Icosphere(5), 0.005);
   Optimizer smooth(sphere.V, sphere.T);
   smooth.Run(options, {}, monitor);

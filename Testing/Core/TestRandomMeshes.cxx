@@ -50,7 +50,7 @@ Sample MakeSample(unsigned seed)
 
 LeastSquaresProblem ProblemOf(const Sample& sample)
 {
-  MeshAnalysis mesh(sample.mesh.V, sample.mesh.T);
+  MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   mesh.SetRobustLaplacian(sample.options.robustLaplacian);
   return SetUpProblem(
     mesh, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
@@ -139,7 +139,7 @@ std::string FaultsOf(unsigned seed)
   const OptimizerResult result = Run(sample.mesh, sample.options, sample.arrays);
   CheckSolution(sample, result, findings);
   {
-    const ThreadTeam team(3);
+    const ThreadPool team(3);
     findings.AddIf(Run(sample.mesh, sample.options, sample.arrays).positions != result.positions,
       "three threads give another result");
   }

@@ -93,7 +93,7 @@ void CheckDeviation(const Sample& sample, const OptimizerResult& result, Finding
   findings.AddIf(!(bound <= sample.options.deviation.maximum), "the deviation is too large");
   const TestMesh before = WithoutCollapsed(sample.mesh);
   const TestMesh after{ result.positions, before.T };
-  const MeshAnalysis mesh(sample.mesh.V, sample.mesh.T);
+  const MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   const double distance = (bound + 1e-12) * mesh.GetDiagonal();
   findings.AddIf(!IsWithin(after, before, distance), "the result is farther than the bound");
   findings.AddIf(!IsWithin(before, after, distance), "the input is farther than the bound");
@@ -121,7 +121,7 @@ std::string FaultsOf(unsigned seed)
   {
     findings.AddIf(!result.isConverged, "the solver has not converged");
   }
-  const ThreadTeam team(3);
+  const ThreadPool team(3);
   findings.AddIf(Run(sample.mesh, sample.options, sample.arrays).positions != result.positions,
     "three threads give another result");
   return findings.Text;

@@ -250,7 +250,7 @@ void CheckNonManifold(Checks& c)
 void CheckAnalysis(Checks& c)
 {
   const TestMesh mesh = Slivers();
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   const Vector plain = analysis.GetMeanCurvatures();
   analysis.SetRobustLaplacian(true);
   c.True("the analysis has the robust weights",

@@ -91,7 +91,7 @@ void CheckResiduals(Checks& c)
 }
 
 /// Remembers what is reported and stops after some reports.
-class Recorder : public Monitor
+class Recorder : public ProgressMonitor
 {
 public:
   explicit Recorder(std::size_t limit = SIZE_MAX)
@@ -157,7 +157,7 @@ void CheckSingularSystem(Checks& c)
 double EnergyOf(const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
   const Points& V)
 {
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   const LeastSquaresProblem problem = SetUpProblem(analysis, options, arrays, {});
   return Energy(problem, V - mesh.V);
 }
@@ -209,7 +209,7 @@ Points SolveOnThreads(
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, backend, false),
     [&]
     {
-      const ThreadTeam team(threads);
+      const ThreadPool team(threads);
       positions = Run(mesh, Iterative(options, 1e-6)).positions;
     });
   return positions;

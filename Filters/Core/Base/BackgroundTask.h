@@ -18,7 +18,7 @@ namespace lmo
 /// \return what work() returns
 /// \throw Cancelled if the monitor says so; what work() throws.
 template <typename Work>
-auto RunAside(Monitor& monitor, Work work)
+auto RunInBackground(ProgressMonitor& monitor, Work work)
 {
   constexpr std::chrono::milliseconds pause(50);
   std::packaged_task<decltype(work())()> task(std::move(work));

@@ -23,7 +23,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-/// The caller's Monitor asked to stop.
+/// The caller's ProgressMonitor asked to stop.
 class Cancelled : public std::exception
 {
 public:

@@ -10,10 +10,10 @@
 namespace lmo
 {
 /// How the numerics report progress and learn that the user wants to stop.
-class Monitor
+class ProgressMonitor
 {
 public:
-  virtual ~Monitor() = default;
+  virtual ~ProgressMonitor() = default;
 
   /// Reports the stage that begins.
   /// \throw Cancelled if the user asked to stop.
@@ -45,11 +45,11 @@ private:
 };
 
 /// Reports what is a part of a whole.
-class PartialMonitor : public Monitor
+class PartialMonitor : public ProgressMonitor
 {
 public:
   /// \param begin, end fractions of the whole, 0 to 1
-  PartialMonitor(Monitor& whole, double begin, double end)
+  PartialMonitor(ProgressMonitor& whole, double begin, double end)
     : Whole(whole)
     , First(begin)
     , Length(end - begin)
@@ -64,7 +64,7 @@ protected:
   }
 
 private:
-  Monitor& Whole;
+  ProgressMonitor& Whole;
   const double First;
   const double Length;
 };

@@ -15,7 +15,7 @@ namespace lmo
 {
 namespace
 {
-thread_local ThreadTeam* CurrentTeam = nullptr;
+thread_local ThreadPool* CurrentTeam = nullptr;
 
 /// Looks at a condition a while before sleeping: the next loop often follows within microseconds.
 template <typename Condition>
@@ -40,7 +40,7 @@ bool Poll(const Condition& condition)
 
 /// A job is a number of tasks. Each thread begins with the same share of them every time, because
 /// their data may still be in its cache, and then helps the others.
-class ThreadTeam::Implementation
+class ThreadPool::Implementation
 {
 public:
   explicit Implementation(int threads)
@@ -170,29 +170,29 @@ private:
   std::exception_ptr Error;
 };
 
-ThreadTeam::ThreadTeam(int threads)
+ThreadPool::ThreadPool(int threads)
   : Members(new Implementation(threads))
   , Previous(CurrentTeam)
 {
   CurrentTeam = this;
 }
 
-ThreadTeam::~ThreadTeam()
+ThreadPool::~ThreadPool()
 {
   CurrentTeam = this->Previous;
 }
 
-ThreadTeam* ThreadTeam::Current()
+ThreadPool* ThreadPool::Current()
 {
   return CurrentTeam;
 }
 
-int ThreadTeam::Size() const
+int ThreadPool::Size() const
 {
   return this->Members->Size();
 }
 
-void ThreadTeam::Run(Index count, const std::function<void(Index)>& task)
+void ThreadPool::Run(Index count, const std::function<void(Index)>& task)
 {
   this->Members->Run(count, task);
 }

@@ -13,18 +13,18 @@ namespace lmo
 /// Threads that stay ready between parallel loops. vtkSMPTools' STDThread backend starts its
 /// threads anew for each loop, which costs as much as an iteration of the solver on 50,000
 /// vertices; it still says how many threads there are. A thread without work sleeps.
-class ThreadTeam
+class ThreadPool
 {
 public:
   /// The team of the calling thread until destruction.
   /// \param threads including the calling one, >= 1
-  explicit ThreadTeam(int threads);
-  ~ThreadTeam();
-  ThreadTeam(const ThreadTeam&) = delete;
-  void operator=(const ThreadTeam&) = delete;
+  explicit ThreadPool(int threads);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  void operator=(const ThreadPool&) = delete;
 
   /// The team of the calling thread, or null.
-  static ThreadTeam* Current();
+  static ThreadPool* Current();
 
   int Size() const;
 
@@ -35,7 +35,7 @@ public:
 private:
   class Implementation;
   std::unique_ptr<Implementation> Members;
-  ThreadTeam* Previous;
+  ThreadPool* Previous;
 };
 }
 

@@ -28,7 +28,7 @@ void ParallelTasks(Index count, const Body& body)
     body(0);
     return;
   }
-  if (ThreadTeam* team = ThreadTeam::Current())
+  if (ThreadPool* team = ThreadPool::Current())
   {
     team->Run(count, body);
     return;
@@ -85,7 +85,7 @@ void ParallelFor(Index count, const Body& body)
 /// ParallelFor() that asks the monitor now and then.
 /// \throw Cancelled if the monitor says so; what has been done by then stays.
 template <typename Body>
-void InterruptibleFor(Index count, Monitor& monitor, const Body& body)
+void InterruptibleFor(Index count, ProgressMonitor& monitor, const Body& body)
 {
   constexpr Index slice = 65536;
   for (Index first = 0; first < count; first += std::min(slice, count - first))

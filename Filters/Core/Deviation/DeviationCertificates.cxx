@@ -6,102 +6,105 @@
 #include "Core/Deviation/SubdivisionBound.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace lmo
 {
 namespace
 {
-/// Keeps what a cover says.
-void Store(const TriangleCover& cover, TriangleCover::Verdict verdict, DistanceProofs::Proof& proof,
-  Index& close)
+/// Keeps what an overlay says.
+void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
+  DeviationCertificates::Certificate& certificate, Index& close)
 {
-  if (cover.GetCentre() >= 0)
+  if (overlay.GetCentre() >= 0)
   {
-    proof.seed = cover.GetCentre();
+    certificate.seed = overlay.GetCentre();
   }
-  if (verdict == TriangleCover::WITHIN)
+  if (verdict == OverlayBound::WITHIN)
   {
-    proof.heights = cover.GetHeights();
-    proof.used = cover.GetUsed();
+    certificate.heights = overlay.GetHeights();
+    certificate.used = overlay.GetUsed();
   }
-  else if (verdict == TriangleCover::BEYOND)
+  else if (verdict == OverlayBound::BEYOND)
   {
-    close = cover.GetUsed().back();
+    close = overlay.GetUsed().back();
   }
 }
 
-/// Proves what the cover left open.
+/// Proves what the overlay left open.
 void TestOpen(const std::vector<Index>& list, const Points& V, const SurfaceView& mesh,
-  const TriangleTree& tree, double distance, std::vector<DistanceProofs::Proof>& proofs,
-  Mask& states, std::vector<Index>& close, Monitor& monitor)
+  const TriangleBvh& tree, double distance,
+  std::vector<DeviationCertificates::Certificate>& certificates, Mask& states,
+  std::vector<Index>& close, ProgressMonitor& monitor)
 {
   InterruptibleFor(static_cast<Index>(list.size()), monitor,
-    [&, cover = TriangleCover()](Index k) mutable
+    [&, overlay = OverlayBound()](Index k) mutable
     {
-      if (states[k] != TriangleCover::UNCLEAR)
+      if (states[k] != OverlayBound::UNCLEAR)
       {
         return;
       }
-      DistanceProofs::Proof& proof = proofs[list[k]];
+      DeviationCertificates::Certificate& certificate = certificates[list[k]];
       const TriangleCorners corners = CornersOf(V, mesh.T, list[k]);
-      states[k] = cover.Test(corners, mesh, &tree, proof.seed, distance);
-      if (states[k] != TriangleCover::UNCLEAR)
+      states[k] = overlay.Test(corners, mesh, &tree, certificate.seed, distance);
+      if (states[k] != OverlayBound::UNCLEAR)
       {
-        Store(cover, TriangleCover::Verdict(states[k]), proof, close[k]);
+        Store(overlay, OverlayBound::Verdict(states[k]), certificate, close[k]);
         return;
       }
-      Nearness nearness = TestConvexity(corners, tree, distance, proof.seed);
-      states[k] = nearness.isProven ? TriangleCover::WITHIN : TriangleCover::BEYOND;
+      Nearness nearness = TestBySubdivision(corners, tree, distance, certificate.seed);
+      states[k] = nearness.isProven ? OverlayBound::WITHIN : OverlayBound::BEYOND;
       close[k] = nearness.failure;
       if (nearness.isProven)
       {
-        proof = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
+        certificate = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
       }
     });
 }
 }
 
-DistanceProofs::DistanceProofs(Index triangles)
-  : Proofs(triangles)
+DeviationCertificates::DeviationCertificates(Index triangles)
+  : Certificates(triangles)
 {
   ParallelFor(triangles,
     [this](Index t)
     {
-      this->Proofs[t].seed = t;
-      this->Proofs[t].used.assign(1, t);
+      this->Certificates[t].seed = t;
+      this->Certificates[t].used.assign(1, t);
     });
 }
 
-void DistanceProofs::Assign(const DistanceProofs& other)
+void DeviationCertificates::Assign(const DeviationCertificates& other)
 {
-  this->Proofs.resize(other.Proofs.size());
-  ParallelFor(this->Size(), [&](Index t) { this->Proofs[t] = other.Proofs[t]; });
+  this->Certificates.resize(other.Certificates.size());
+  ParallelFor(this->Size(), [&](Index t) { this->Certificates[t] = other.Certificates[t]; });
 }
 
-std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Index>& list,
-  const Points& V, const SurfaceView& mesh, TriangleTree& tree, double distance, Monitor& monitor)
+std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
+  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
+  double distance, ProgressMonitor& monitor)
 {
   const auto size = static_cast<Index>(list.size());
   Mask states(size);
   std::vector<Index> close(size, -1);
   InterruptibleFor(size, monitor,
-    [&, cover = TriangleCover()](Index k) mutable
+    [&, overlay = OverlayBound()](Index k) mutable
     {
-      Proof& proof = this->Proofs[list[k]];
-      const TriangleCover::Verdict verdict =
-        cover.Test(CornersOf(V, mesh.T, list[k]), mesh, nullptr, proof.seed, distance);
+      Certificate& certificate = this->Certificates[list[k]];
+      const OverlayBound::Verdict verdict =
+        overlay.Test(CornersOf(V, mesh.T, list[k]), mesh, nullptr, certificate.seed, distance);
       states[k] = verdict;
-      Store(cover, verdict, proof, close[k]);
+      Store(overlay, verdict, certificate, close[k]);
     });
-  if (std::find(states.begin(), states.end(), TriangleCover::UNCLEAR) != states.end())
+  if (std::find(states.begin(), states.end(), OverlayBound::UNCLEAR) != states.end())
   {
     tree.Refit();
-    TestOpen(list, V, mesh, tree, distance, this->Proofs, states, close, monitor);
+    TestOpen(list, V, mesh, tree, distance, this->Certificates, states, close, monitor);
   }
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)
   {
-    if (states[k] == TriangleCover::BEYOND)
+    if (states[k] == OverlayBound::BEYOND)
     {
       failures.push_back({ list[k], close[k] });
     }
@@ -109,13 +112,13 @@ std::vector<DistanceProofs::Failure> DistanceProofs::Check(const std::vector<Ind
   return failures;
 }
 
-std::vector<Index> DistanceProofs::FindDependent(const Mask& isMarked) const
+std::vector<Index> DeviationCertificates::FindDependent(const Mask& isMarked) const
 {
-  Mask isDependent(this->Proofs.size());
+  Mask isDependent(this->Certificates.size());
   ParallelFor(this->Size(),
     [&](Index t)
     {
-      const std::vector<Index>& used = this->Proofs[t].used;
+      const std::vector<Index>& used = this->Certificates[t].used;
       isDependent[t] = std::any_of(used.begin(), used.end(), [&](Index u) { return isMarked[u]; });
     });
   std::vector<Index> dependent;
@@ -129,13 +132,73 @@ std::vector<Index> DistanceProofs::FindDependent(const Mask& isMarked) const
   return dependent;
 }
 
-double DistanceProofs::GetBound() const
+double DeviationCertificates::GetBound() const
 {
   double bound = 0;
-  for (const Proof& proof : this->Proofs)
+  for (const Certificate& certificate : this->Certificates)
   {
-    bound = std::max(bound, proof.heights.Largest());
+    bound = std::max(bound, certificate.heights.Largest());
   }
   return bound;
+}
+
+void DependentCertificates::Clear()
+{
+  this->Listed = {};
+  this->Added.clear();
+}
+
+void DependentCertificates::Build(const DeviationCertificates& certificates)
+{
+  const auto forEach = [&](const auto& visit)
+  {
+    for (Index t = 0; t < certificates.Size(); ++t)
+    {
+      for (const Index used : certificates.Get(t).used)
+      {
+        visit(used, t);
+      }
+    }
+  };
+  std::vector<Index>& offsets = this->Listed.offsets;
+  offsets.assign(certificates.Size() + 2, 0);
+  forEach([&](Index used, Index) { ++offsets[used + 2]; });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  this->Listed.ids.resize(offsets.back());
+  forEach([&](Index used, Index t) { this->Listed.ids[offsets[used + 1]++] = t; });
+  offsets.pop_back();
+}
+
+void DependentCertificates::Add(
+  Index triangle, const DeviationCertificates::Certificate& certificate)
+{
+  const auto isIn = [triangle](auto begin, auto end)
+  { return std::find(begin, end, triangle) != end; };
+  for (const Index used : certificate.used)
+  {
+    std::vector<Index>& added = this->Added[used];
+    if (!isIn(this->Listed.Begin(used), this->Listed.End(used)) &&
+        !isIn(added.begin(), added.end()))
+    {
+      added.push_back(triangle);
+    }
+  }
+}
+
+std::vector<Index> DependentCertificates::Find(const std::vector<Index>& used) const
+{
+  std::vector<Index> found;
+  for (const Index t : used)
+  {
+    found.insert(found.end(), this->Listed.Begin(t), this->Listed.End(t));
+    const auto added = this->Added.find(t);
+    if (added != this->Added.end())
+    {
+      found.insert(found.end(), added->second.begin(), added->second.end());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
 }
 }

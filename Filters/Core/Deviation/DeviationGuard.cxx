@@ -45,7 +45,7 @@ void AddOnce(const std::vector<Index>& more, Mask& isListed)
 }
 
 DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, double distance, Monitor& monitor)
+  const MeshTopology& topology, double distance, ProgressMonitor& monitor)
   : Original(V)
   , T(triangles)
   , Topology(topology)
@@ -89,7 +89,7 @@ bool DeviationGuard::IsMoved(Index t) const
 
 template <typename IsBeyond>
 std::vector<Index> DeviationGuard::Split(
-  std::vector<Index>& list, Monitor& monitor, const IsBeyond& isBeyond)
+  std::vector<Index>& list, ProgressMonitor& monitor, const IsBeyond& isBeyond)
 {
   Mask areBeyond(list.size());
   InterruptibleFor(
@@ -104,12 +104,13 @@ std::vector<Index> DeviationGuard::Split(
   return beyond;
 }
 
-std::vector<Index> DeviationGuard::FindAstray(const std::vector<Index>& list, Monitor& monitor)
+std::vector<Index> DeviationGuard::FindAstray(
+  const std::vector<Index>& list, ProgressMonitor& monitor)
 {
   std::vector<Index> astray;
   std::vector<Index> open = list;
   Split(open, monitor, [this](Index t) { return this->CarryToOriginal(t); });
-  for (const DistanceProofs::Failure& failure : this->ToOriginal.Check(
+  for (const DeviationCertificates::Failure& failure : this->ToOriginal.Check(
          open, this->Candidate, this->OriginalView(), this->OriginalTree, this->Distance, monitor))
   {
     astray.push_back(failure.triangle);
@@ -132,7 +133,7 @@ double DeviationGuard::MotionOf(Index t) const
 
 bool DeviationGuard::CarryToCandidate(Index t)
 {
-  const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(t);
+  const DeviationCertificates::Certificate& admitted = this->ToAdmitted.Get(t);
   double farthest = 0;
   for (const Index u : admitted.used)
   {
@@ -154,7 +155,7 @@ bool DeviationGuard::CarryToOriginal(Index t)
   {
     return false;
   }
-  const Index below = TriangleCover().FindCentre(
+  const Index below = OverlayBound().FindCentre(
     CornersOf(this->Candidate, this->T, t), this->OriginalView(), this->ToOriginal.Get(t).seed);
   if (below < 0)
   {
@@ -165,7 +166,7 @@ bool DeviationGuard::CarryToOriginal(Index t)
 }
 
 std::vector<DeviationGuard::Failure> DeviationGuard::Check(
-  const std::vector<Index>& vertices, double leastQuality, Monitor& monitor)
+  const std::vector<Index>& vertices, double leastQuality, ProgressMonitor& monitor)
 {
   this->Tree.Invalidate();
   std::vector<Index> changed;
@@ -201,10 +202,10 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Check(
   }
   Split(originals, monitor, [this](Index t) { return this->CarryToCandidate(t); });
   this->OpenOriginal.clear();
-  for (const DistanceProofs::Failure& failure : this->ToCandidate.Check(
+  for (const DeviationCertificates::Failure& failure : this->ToCandidate.Check(
          originals, this->Original, this->CandidateView(), this->Tree, this->Distance, monitor))
   {
-    const DistanceProofs::Proof& admitted = this->ToAdmitted.Get(failure.triangle);
+    const DeviationCertificates::Certificate& admitted = this->ToAdmitted.Get(failure.triangle);
     const std::vector<Index>& used = admitted.used;
     if (std::any_of(used.begin(), used.end(), [this](Index t) { return this->IsMoved(t); }))
     {
@@ -230,7 +231,8 @@ void DeviationGuard::Admit()
   ParallelFor(static_cast<Index>(this->T.rows()),
     [this](Index t)
     {
-      if (this->IsMoved(t)) // else the proof at hand may be one of a position that was taken back
+      if (this->IsMoved(
+            t)) // else the certificate at hand may be one of a position that was taken back
       {
         this->AdmitTriangle(t);
       }
@@ -273,12 +275,12 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
     this->TrianglesAt({ rings.Begin(vertex), rings.End(vertex) });
   this->Move(vertex, position);
   this->Shapes.Update(changed);
-  Monitor unwatched;
-  std::vector<DistanceProofs::Proof> proofs;
-  proofs.reserve(changed.size());
+  ProgressMonitor unwatched;
+  std::vector<DeviationCertificates::Certificate> certificates;
+  certificates.reserve(changed.size());
   for (const Index t : changed)
   {
-    proofs.push_back(this->ToOriginal.Get(t));
+    certificates.push_back(this->ToOriginal.Get(t));
   }
   std::vector<Index> originals;
   bool isAdmitted =
@@ -314,7 +316,7 @@ bool DeviationGuard::TryMove(Index vertex, const Vector3& position)
   this->Shapes.Update(changed);
   for (std::size_t k = 0; k < changed.size(); ++k)
   {
-    this->ToOriginal.Set(changed[k], proofs[k]);
+    this->ToOriginal.Set(changed[k], certificates[k]);
   }
   for (const Index t : originals)
   {

@@ -3,7 +3,7 @@
 #ifndef lmo_DeviationGuard_h
 #define lmo_DeviationGuard_h
 
-#include "Core/Deviation/DependentCertificates.h"
+#include "Core/Deviation/DeviationCertificates.h"
 #include "Core/Deviation/TriangleValidity.h"
 
 namespace lmo
@@ -27,7 +27,7 @@ public:
   /// \param distance > 0
   /// \throw Cancelled if the monitor says so.
   DeviationGuard(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    double distance, Monitor& monitor);
+    double distance, ProgressMonitor& monitor);
   DeviationGuard(const DeviationGuard&) = delete;
   void operator=(const DeviationGuard&) = delete;
 
@@ -55,7 +55,7 @@ public:
   /// \return no failures if they may be admitted
   /// \throw Cancelled if the monitor says so; what is admitted remains, and no more can be judged.
   std::vector<Failure> Check(
-    const std::vector<Index>& vertices, double leastQuality, Monitor& monitor);
+    const std::vector<Index>& vertices, double leastQuality, ProgressMonitor& monitor);
 
   /// Admits the positions set, in which Check() found no failure.
   void Admit();
@@ -75,8 +75,8 @@ private:
 
   bool IsMoved(Index t) const;
 
-  /// Proves an original triangle by the proof that is admitted, if the motion since then leaves
-  /// enough of the distance: a point of a triangle moves no farther than its corners.
+  /// Proves an original triangle by the certificate that is admitted, if the motion since then
+  /// leaves enough of the distance: a point of a triangle moves no farther than its corners.
   /// \return whether it does
   bool CarryToCandidate(Index t);
 
@@ -88,10 +88,10 @@ private:
   /// Moves the triangles of the list that are beyond a limit to the result.
   template <typename IsBeyond>
   static std::vector<Index> Split(
-    std::vector<Index>& list, Monitor& monitor, const IsBeyond& isBeyond);
+    std::vector<Index>& list, ProgressMonitor& monitor, const IsBeyond& isBeyond);
 
   /// The triangles of the list that are far from the original surface or turned against it.
-  std::vector<Index> FindAstray(const std::vector<Index>& list, Monitor& monitor);
+  std::vector<Index> FindAstray(const std::vector<Index>& list, ProgressMonitor& monitor);
 
   void AdmitTriangle(Index t);
 
@@ -102,16 +102,16 @@ private:
   const Triangles Neighbours;
   Points Admitted;
   Points Candidate;
-  ShapeLimits Shapes;
+  TriangleValidity Shapes;
   std::vector<HeightRange> AdmittedHeights; ///< of the original surface
-  TriangleTree OriginalTree;
-  TriangleTree Tree;               ///< of the candidate
-  DistanceProofs ToOriginal;       ///< the candidate's triangles are close to the original mesh
-  DistanceProofs ToCandidate;      ///< and the other way round
-  DistanceProofs ToAdmitted;       ///< the original triangles are close to the admitted mesh
-  std::vector<Index> Open;         ///< triangles of the candidate that failed in the last check
-  std::vector<Index> OpenOriginal; ///< the same of the original mesh
-  DependentProofs Dependents;      ///< those of ToAdmitted
+  TriangleBvh OriginalTree;
+  TriangleBvh Tree;                  ///< of the candidate
+  DeviationCertificates ToOriginal;  ///< the candidate's triangles are close to the original mesh
+  DeviationCertificates ToCandidate; ///< and the other way round
+  DeviationCertificates ToAdmitted;  ///< the original triangles are close to the admitted mesh
+  std::vector<Index> Open;           ///< triangles of the candidate that failed in the last check
+  std::vector<Index> OpenOriginal;   ///< the same of the original mesh
+  DependentCertificates Dependents;  ///< those of ToAdmitted
 };
 }
 

@@ -107,7 +107,7 @@ Piece Clip(const Eigen::Vector3d corners[3])
 }
 }
 
-bool TriangleCover::SetFrame(const TriangleCorners& triangle)
+bool OverlayBound::SetFrame(const TriangleCorners& triangle)
 {
   this->Origin = triangle.row(0);
   this->AB = triangle.row(1) - triangle.row(0);
@@ -127,7 +127,7 @@ bool TriangleCover::SetFrame(const TriangleCorners& triangle)
   return true;
 }
 
-TriangleCover::ProjectedTriangle TriangleCover::Project(const SurfaceView& mesh, Index t) const
+OverlayBound::ProjectedTriangle OverlayBound::Project(const SurfaceView& mesh, Index t) const
 {
   ProjectedTriangle part;
   for (int k = 0; k < 3; ++k)
@@ -139,7 +139,7 @@ TriangleCover::ProjectedTriangle TriangleCover::Project(const SurfaceView& mesh,
   return part;
 }
 
-Index TriangleCover::FindCentre(const SurfaceView& mesh, Index seed) const
+Index OverlayBound::FindCentre(const SurfaceView& mesh, Index seed) const
 {
   constexpr double centre = 1.0 / 3;
   Index t = seed;
@@ -170,13 +170,12 @@ Index TriangleCover::FindCentre(const SurfaceView& mesh, Index seed) const
   return -1;
 }
 
-Index TriangleCover::FindCentre(
-  const TriangleCorners& triangle, const SurfaceView& mesh, Index seed)
+Index OverlayBound::FindCentre(const TriangleCorners& triangle, const SurfaceView& mesh, Index seed)
 {
   return this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
 }
 
-TriangleCover::Verdict TriangleCover::TestPiece(const SurfaceView& mesh, const TriangleTree* tree,
+OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, const TriangleBvh* tree,
   Index t, const ProjectedTriangle& part, double distance)
 {
   const Piece piece = Clip(part.corners);
@@ -202,7 +201,7 @@ TriangleCover::Verdict TriangleCover::TestPiece(const SurfaceView& mesh, const T
     TriangleCorners corners;
     corners << this->PointAt(piece.corners[0]), this->PointAt(piece.corners[i - 1]),
       this->PointAt(piece.corners[i]);
-    const Nearness nearness = TestConvexity(corners, *tree, distance, t);
+    const Nearness nearness = TestBySubdivision(corners, *tree, distance, t);
     if (!nearness.isProven)
     {
       return BEYOND;
@@ -212,8 +211,8 @@ TriangleCover::Verdict TriangleCover::TestPiece(const SurfaceView& mesh, const T
   return WITHIN;
 }
 
-TriangleCover::Verdict TriangleCover::Test(const TriangleCorners& triangle, const SurfaceView& mesh,
-  const TriangleTree* tree, Index seed, double distance)
+OverlayBound::Verdict OverlayBound::Test(const TriangleCorners& triangle, const SurfaceView& mesh,
+  const TriangleBvh* tree, Index seed, double distance)
 {
   this->Used.clear();
   this->Closer.clear();

@@ -52,7 +52,7 @@ struct HeightRange
 /// onto). They cut it into convex pieces, and since the distance to the triangle over a piece, a
 /// convex set, is a convex function, it is largest at a corner of the piece. The cost does not
 /// depend on the distance allowed.
-class TriangleCover
+class OverlayBound
 {
 public:
   enum Verdict
@@ -66,7 +66,7 @@ public:
   /// \param tree of \a mesh, in which pieces find closer triangles than the one over them; if it is
   /// null, such pieces are UNCLEAR
   /// \param distance that is allowed
-  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, const TriangleTree* tree,
+  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, const TriangleBvh* tree,
     Index seed, double distance);
 
   /// The mesh's triangle over the centre of \a triangle, or -1.
@@ -99,7 +99,7 @@ private:
   Index FindCentre(const SurfaceView& mesh, Index seed) const;
 
   /// Judges the piece of the triangle under \a t.
-  Verdict TestPiece(const SurfaceView& mesh, const TriangleTree* tree, Index t,
+  Verdict TestPiece(const SurfaceView& mesh, const TriangleBvh* tree, Index t,
     const ProjectedTriangle& part, double distance);
 
   /// The point of the triangle with these barycentric coordinates.

@@ -20,7 +20,7 @@ struct Sample
 class Division
 {
 public:
-  Division(const TriangleTree& tree, double distance, Nearness& result)
+  Division(const TriangleBvh& tree, double distance, Nearness& result)
     : Tree(tree)
     , Distance(distance)
     , Result(result)
@@ -69,14 +69,14 @@ private:
     return this->Tree.SquaredDistance(t, x) <= this->Distance * this->Distance;
   }
 
-  const TriangleTree& Tree;
+  const TriangleBvh& Tree;
   const double Distance;
   Nearness& Result;
 };
 }
 
-Nearness TestConvexity(
-  const TriangleCorners& triangle, const TriangleTree& tree, double distance, Index hint)
+Nearness TestBySubdivision(
+  const TriangleCorners& triangle, const TriangleBvh& tree, double distance, Index hint)
 {
   Nearness result;
   Division division(tree, distance, result);

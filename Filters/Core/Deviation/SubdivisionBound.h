@@ -19,8 +19,8 @@ struct Nearness
 /// set, is a convex function: if the corners are within it, so is all between them. Where no single
 /// triangle of the mesh serves, the triangle is divided into four, up to six times.
 /// \param hint triangle of the mesh that is perhaps close, or -1
-Nearness TestConvexity(
-  const TriangleCorners& triangle, const TriangleTree& tree, double distance, Index hint);
+Nearness TestBySubdivision(
+  const TriangleCorners& triangle, const TriangleBvh& tree, double distance, Index hint);
 }
 
 #endif

@@ -53,7 +53,7 @@ double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology&
 }
 }
 
-ShapeLimits::ShapeLimits(const Points& admitted, const Points& candidate,
+TriangleValidity::TriangleValidity(const Points& admitted, const Points& candidate,
   const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours)
   : AdmittedPoints(admitted)
   , CandidatePoints(candidate)
@@ -73,7 +73,7 @@ ShapeLimits::ShapeLimits(const Points& admitted, const Points& candidate,
   ParallelFor(static_cast<Index>(triangles.rows()), [this](Index t) { this->Admit(t, t); });
 }
 
-void ShapeLimits::Update(const std::vector<Index>& triangles)
+void TriangleValidity::Update(const std::vector<Index>& triangles)
 {
   ParallelFor(static_cast<Index>(triangles.size()),
     [&](Index k)
@@ -85,12 +85,12 @@ void ShapeLimits::Update(const std::vector<Index>& triangles)
     });
 }
 
-bool ShapeLimits::IsBad(Index t, double least) const
+bool TriangleValidity::IsBad(Index t, double least) const
 {
   return this->Quality[t] < std::min(least, this->AdmittedQuality[t]);
 }
 
-bool ShapeLimits::IsFolded(Index t) const
+bool TriangleValidity::IsFolded(Index t) const
 {
   for (int k = 0; k < 3; ++k)
   {
@@ -108,7 +108,7 @@ bool ShapeLimits::IsFolded(Index t) const
   return false;
 }
 
-bool ShapeLimits::FacesAllAround(Index t) const
+bool TriangleValidity::FacesAllAround(Index t) const
 {
   const AdjacencyLists& cornersAt = this->Topology.cornersAt;
   const auto isAside = [&](Index corner)
@@ -124,7 +124,7 @@ bool ShapeLimits::FacesAllAround(Index t) const
   return true;
 }
 
-bool ShapeLimits::IsInverted(Index t) const
+bool TriangleValidity::IsInverted(Index t) const
 {
   if (this->FacesAllAround(t))
   {
@@ -134,20 +134,20 @@ bool ShapeLimits::IsInverted(Index t) const
   return cosine < 0 && cosine < CosineToVertices(this->AdmittedPoints, this->T, this->Topology, t);
 }
 
-bool ShapeLimits::IsTurned(Index t, Index below) const
+bool TriangleValidity::IsTurned(Index t, Index below) const
 {
   return this->Normals.row(t).dot(this->ReferenceNormals.row(below)) <
          std::min(LeastCosine, this->AdmittedCosine[t]);
 }
 
-void ShapeLimits::Admit(Index t, Index below)
+void TriangleValidity::Admit(Index t, Index below)
 {
   this->AdmittedNormals.row(t) = this->Normals.row(t);
   this->AdmittedQuality[t] = this->Quality[t];
   this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
 }
 
-void ShapeLimits::Reject()
+void TriangleValidity::Reject()
 {
   this->Normals = this->AdmittedNormals;
   this->Quality = this->AdmittedQuality;

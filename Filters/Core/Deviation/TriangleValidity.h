@@ -9,14 +9,14 @@ namespace lmo
 {
 /// Judges the triangles of a candidate mesh against those of an admitted one: none may turn bad,
 /// turn over or fold. What is beyond a limit in the admitted mesh already must not get worse.
-class ShapeLimits
+class TriangleValidity
 {
 public:
   /// Keeps references to the arguments. The candidate is admitted at first.
   /// \param admitted positions
   /// \param candidate positions, equal at first
   /// \param neighbours what FindTriangleNeighbours() returned
-  ShapeLimits(const Points& admitted, const Points& candidate, const Triangles& triangles,
+  TriangleValidity(const Points& admitted, const Points& candidate, const Triangles& triangles,
     const MeshTopology& topology, const Triangles& neighbours);
 
   /// t of the admitted triangles.

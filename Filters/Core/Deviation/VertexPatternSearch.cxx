@@ -24,7 +24,7 @@ class Search
 {
 public:
   Search(DeviationGuard& guard, const Triangles& triangles, const MeshTopology& topology,
-    const MotionConstraints& motion, const PlaceVertex& place)
+    const DisplacementConstraints& motion, const PlaceVertex& place)
     : Guard(guard)
     , T(triangles)
     , Topology(topology)
@@ -37,7 +37,7 @@ public:
 
   /// Improves the triangles with t below the goal once.
   /// \return whether a vertex has moved
-  bool Sweep(double goal, Monitor& monitor)
+  bool Sweep(double goal, ProgressMonitor& monitor)
   {
     bool hasMoved = false;
     for (const Index t : this->WorstFirst(goal))
@@ -121,7 +121,7 @@ private:
   std::vector<Vector3> DirectionsOf(Index vertex) const
   {
     const Vector3 axis = this->Motion.axes.row(vertex);
-    if (this->Motion.freedom[vertex] == MotionConstraints::ALONG_LINE)
+    if (this->Motion.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
     {
       return { axis, -axis };
     }
@@ -168,7 +168,7 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == MotionConstraints::FIXED || this->IsExhausted[vertex])
+    if (this->Motion.freedom[vertex] == DisplacementConstraints::FIXED || this->IsExhausted[vertex])
     {
       return false;
     }
@@ -198,7 +198,7 @@ private:
   DeviationGuard& Guard;
   const Triangles& T;
   const MeshTopology& Topology;
-  const MotionConstraints& Motion;
+  const DisplacementConstraints& Motion;
   const PlaceVertex& Place;
   double LossLeft;  ///< of the sum of all t
   Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
@@ -206,8 +206,8 @@ private:
 }
 
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
-  const MeshTopology& topology, const MotionConstraints& motion, const PlaceVertex& place,
-  Monitor& monitor)
+  const MeshTopology& topology, const DisplacementConstraints& motion, const PlaceVertex& place,
+  ProgressMonitor& monitor)
 {
   Search search(guard, triangles, topology, motion, place);
   for (const double goal : Goals)

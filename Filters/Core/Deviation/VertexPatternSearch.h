@@ -5,7 +5,7 @@
 
 #include "Core/Base/ProgressMonitor.h"
 #include "Core/Deviation/DeviationGuard.h"
-#include "Core/LeastSquares/LeastSquaresProblem.h"
+#include "Core/Mesh/DisplacementConstraints.h"
 
 #include <functional>
 
@@ -19,8 +19,8 @@ using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 /// What the least-squares problem cannot do, since it knows averages.
 /// \throw Cancelled if the monitor says so; the guard has admitted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
-  const MeshTopology& topology, const MotionConstraints& motion, const PlaceVertex& place,
-  Monitor& monitor);
+  const MeshTopology& topology, const DisplacementConstraints& motion, const PlaceVertex& place,
+  ProgressMonitor& monitor);
 }
 
 #endif

@@ -7,7 +7,7 @@
 namespace lmo
 {
 template <typename Scalar>
-PackedStiffness<Scalar>::PackedStiffness(const Laplacian& L)
+EllpackStiffness<Scalar>::EllpackStiffness(const Laplacian& L)
   : OneRings(L.rings)
   , EdgeWeights(L.edgeWeights)
 {
@@ -31,6 +31,6 @@ PackedStiffness<Scalar>::PackedStiffness(const Laplacian& L)
     });
 }
 
-template class PackedStiffness<float>;
-template class PackedStiffness<double>;
+template class EllpackStiffness<float>;
+template class EllpackStiffness<double>;
 }

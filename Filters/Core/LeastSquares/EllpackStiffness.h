@@ -3,44 +3,18 @@
 #ifndef lmo_EllpackStiffness_h
 #define lmo_EllpackStiffness_h
 
+#include "Core/LeastSquares/PackedPoints.h"
 #include "Core/Operators/Laplacian.h"
 
 namespace lmo
 {
-/// A row (x, y, z, 0) per vertex, which the processor handles as one unit.
-template <typename Scalar>
-using PackedPoints = Eigen::Array<Scalar, 4, Eigen::Dynamic>;
-
-template <typename Scalar>
-using PackedRow = Eigen::Array<Scalar, 4, 1>;
-
-/// Packed points by their address. Loops that are to be fast capture such views by value: then
-/// addresses stay in registers.
-template <typename Scalar>
-using PackedView = Eigen::Map<PackedPoints<Scalar>, Eigen::Aligned16>;
-
-template <typename Scalar>
-PackedView<Scalar> View(PackedPoints<Scalar>& points)
-{
-  return { points.data(), 4, points.cols() };
-}
-
-template <typename Scalar>
-using ConstPackedView = Eigen::Map<const PackedPoints<Scalar>, Eigen::Aligned16>;
-
-template <typename Scalar>
-ConstPackedView<Scalar> View(const PackedPoints<Scalar>& points)
-{
-  return { points.data(), 4, points.cols() };
-}
-
 /// K = E - S with the first neighbours of each vertex in slots of fixed number: no branch depends
 /// on the valence, which the processor could not predict. An unused slot names the vertex itself.
 template <typename Scalar>
-class PackedStiffness
+class EllpackStiffness
 {
 public:
-  explicit PackedStiffness(const Laplacian& L);
+  explicit EllpackStiffness(const Laplacian& L);
 
   /// Calls body(rows), where rows(i) is row i of K x and cheap to copy.
   template <typename Body>
@@ -70,10 +44,10 @@ private:
 
 template <typename Scalar>
 template <bool Weighted>
-class PackedStiffness<Scalar>::Rows
+class EllpackStiffness<Scalar>::Rows
 {
 public:
-  Rows(const PackedStiffness& K, const PackedPoints<Scalar>& x)
+  Rows(const EllpackStiffness& K, const PackedPoints<Scalar>& x)
     : X(View(x))
     , Neighbours(K.Neighbours.data())
     , Weights(K.Weights.data())
@@ -129,7 +103,7 @@ private:
 
 template <typename Scalar>
 template <bool Weighted>
-void PackedStiffness<Scalar>::Rows<Weighted>::AddOthers(Index i, PackedRow<Scalar>& row) const
+void EllpackStiffness<Scalar>::Rows<Weighted>::AddOthers(Index i, PackedRow<Scalar>& row) const
 {
   for (Index k = this->Offsets[i] + Slots; k < this->Offsets[i + 1]; ++k)
   {
@@ -138,8 +112,8 @@ void PackedStiffness<Scalar>::Rows<Weighted>::AddOthers(Index i, PackedRow<Scala
   }
 }
 
-extern template class PackedStiffness<float>;
-extern template class PackedStiffness<double>;
+extern template class EllpackStiffness<float>;
+extern template class EllpackStiffness<double>;
 }
 
 #endif

@@ -3,42 +3,11 @@
 #ifndef lmo_LeastSquaresProblem_h
 #define lmo_LeastSquaresProblem_h
 
+#include "Core/Mesh/DisplacementConstraints.h"
 #include "Core/Operators/Laplacian.h"
 
 namespace lmo
 {
-/// What the vertices may do. A direction of motion that is taken away is eliminated from the
-/// unknowns, not penalised.
-struct MotionConstraints
-{
-  enum Freedom : unsigned char
-  {
-    FIXED = 0,
-    ALONG_LINE = 1,
-    IN_PLANE = 2,
-    FREE = 3
-  };
-  Mask freedom; ///< Freedom of each vertex
-  Points
-    axes; ///< unit direction of the line or unit normal of the plane; no rows if there are none
-
-  /// Removes the forbidden part of a displacement or force at vertex i.
-  Vector3 Project(Index i, const Vector3& x) const
-  {
-    switch (this->freedom[i])
-    {
-      case FREE:
-        return x;
-      case ALONG_LINE:
-        return x.dot(this->axes.row(i)) * this->axes.row(i);
-      case IN_PLANE:
-        return x - x.dot(this->axes.row(i)) * this->axes.row(i);
-      default:
-        return Vector3::Zero();
-    }
-  }
-};
-
 /// A Laplacian row of a polyline: weight ((d_previous + d_next) / 2 - d_vertex - target).
 struct LineRow
 {
@@ -63,7 +32,7 @@ struct LeastSquaresProblem
   Vector positionWeights;                        ///< diagonal of W_p
   Points tangentPlaneNormals;    ///< n_i; no rows if there are no tangent-plane constraints
   double tangentPlaneWeight = 0; ///< w
-  MotionConstraints motion;
+  DisplacementConstraints motion;
 
   Index Size() const { return static_cast<Index>(this->positionWeights.size()); }
 

@@ -7,9 +7,9 @@
 namespace lmo
 {
 template <typename Scalar>
-PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
+NormalOperator<Scalar>::NormalOperator(const LeastSquaresProblem& problem)
   : Problem(problem)
-  , K(std::make_shared<const PackedStiffness<Scalar>>(problem.L))
+  , K(std::make_shared<const EllpackStiffness<Scalar>>(problem.L))
   , Q(problem.Size())
   , SquaredPositionWeights(problem.Size())
   , RowValues(4, problem.Size())
@@ -24,7 +24,7 @@ PackedEquations<Scalar>::PackedEquations(const LeastSquaresProblem& problem)
 }
 
 template <typename Scalar>
-Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
+Dots NormalOperator<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   auto rowValues = View(this->RowValues);
   this->K->WithRows(x,
@@ -44,7 +44,7 @@ Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoin
         {
           const PackedRow<Scalar> xi = x.col(i);
           PackedRow<Scalar> row = KQKx(i) + squaredWeights[i] * xi;
-          if (freedom[i] == MotionConstraints::FIXED)
+          if (freedom[i] == DisplacementConstraints::FIXED)
           {
             row.setZero();
           }
@@ -56,7 +56,7 @@ Dots PackedEquations<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoin
 }
 
 template <typename Scalar>
-Dots PackedEquations<Scalar>::FinishCoupled(
+Dots NormalOperator<Scalar>::FinishCoupled(
   const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   for (const LineRow& row : this->Problem.lineRows)
@@ -87,6 +87,6 @@ Dots PackedEquations<Scalar>::FinishCoupled(
   return Dots(dot, dot, dot, 0);
 }
 
-template class PackedEquations<float>;
-template class PackedEquations<double>;
+template class NormalOperator<float>;
+template class NormalOperator<double>;
 }

@@ -36,15 +36,15 @@ struct DotSum
 /// The matrix A of a problem's normal equations, stored for speed. In single precision it serves to
 /// find search directions: residuals that decide are computed by Residual().
 template <typename Scalar>
-class PackedEquations
+class NormalOperator
 {
 public:
   /// Keeps a reference to \a problem.
-  explicit PackedEquations(const LeastSquaresProblem& problem);
+  explicit NormalOperator(const LeastSquaresProblem& problem);
 
   Index Size() const { return this->Problem.Size(); }
   const LeastSquaresProblem& GetProblem() const { return this->Problem; }
-  std::shared_ptr<const PackedStiffness<Scalar>> GetStiffness() const { return this->K; }
+  std::shared_ptr<const EllpackStiffness<Scalar>> GetStiffness() const { return this->K; }
 
   /// product = A x, for x within the motion allowed.
   /// \return the inner products of x and A x; three times their sum if the problem is coupled
@@ -55,14 +55,14 @@ private:
   Dots FinishCoupled(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 
   const LeastSquaresProblem& Problem;
-  std::shared_ptr<const PackedStiffness<Scalar>> K;
+  std::shared_ptr<const EllpackStiffness<Scalar>> K;
   Eigen::Array<Scalar, Eigen::Dynamic, 1> Q;
   Eigen::Array<Scalar, Eigen::Dynamic, 1> SquaredPositionWeights;
   PackedPoints<Scalar> RowValues;
 };
 
-extern template class PackedEquations<float>;
-extern template class PackedEquations<double>;
+extern template class NormalOperator<float>;
+extern template class NormalOperator<double>;
 }
 
 #endif

@@ -3,23 +3,12 @@
 #ifndef lmo_MeshTopology_h
 #define lmo_MeshTopology_h
 
-#include "Core/Base/Types.h"
+#include "Core/Mesh/AdjacencyLists.h"
 
 namespace lmo
 {
 /// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
 constexpr Index LargestStar = 100;
-
-/// For each vertex a list of ids, all lists in one array (compressed rows).
-struct AdjacencyLists
-{
-  std::vector<Index> offsets; ///< size vertices + 1; list i is [offsets[i], offsets[i + 1])
-  std::vector<Index> ids;
-
-  Index Size(Index i) const { return this->offsets[i + 1] - this->offsets[i]; }
-  const Index* Begin(Index i) const { return this->ids.data() + this->offsets[i]; }
-  const Index* End(Index i) const { return this->ids.data() + this->offsets[i + 1]; }
-};
 
 /// Who is whose neighbour. A triangle that names a vertex twice has no edges and counts nowhere.
 struct MeshTopology

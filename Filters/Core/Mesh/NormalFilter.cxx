@@ -63,7 +63,7 @@ double MeanDistance(
 }
 
 Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  int iterations, double width, Monitor& monitor)
+  int iterations, double width, ProgressMonitor& monitor)
 {
   const auto count = static_cast<Index>(triangles.rows());
   Points centroids(count, 3);

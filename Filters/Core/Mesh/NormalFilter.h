@@ -16,7 +16,7 @@ namespace lmo
 /// \return one row per triangle; 0 where there is none
 /// \throw Cancelled if the monitor says so.
 Points FilterNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  int iterations, double width, Monitor& monitor);
+  int iterations, double width, ProgressMonitor& monitor);
 }
 
 #endif

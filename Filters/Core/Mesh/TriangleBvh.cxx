@@ -20,7 +20,7 @@ constexpr Index LeavesPerTask = 1024;
 constexpr double NegligibleDistance = 1e-3;
 }
 
-TriangleTree::TriangleTree(const Points& V, const Triangles& triangles, Monitor& monitor)
+TriangleBvh::TriangleBvh(const Points& V, const Triangles& triangles, ProgressMonitor& monitor)
   : V(V)
   , T(triangles)
 {
@@ -56,7 +56,7 @@ TriangleTree::TriangleTree(const Points& V, const Triangles& triangles, Monitor&
   this->Refit();
 }
 
-TriangleTree::TriangleTree(const Points& V, const TriangleTree& other)
+TriangleBvh::TriangleBvh(const Points& V, const TriangleBvh& other)
   : V(V)
   , T(other.T)
   , Leaves(other.Leaves)
@@ -66,7 +66,7 @@ TriangleTree::TriangleTree(const Points& V, const TriangleTree& other)
 {
 }
 
-void TriangleTree::Halve(Index firstLeaf, Index leaves)
+void TriangleBvh::Halve(Index firstLeaf, Index leaves)
 {
   const auto centre = [this](Index t)
   { return this->V.row(this->T(t, 0)) + this->V.row(this->T(t, 1)) + this->V.row(this->T(t, 2)); };
@@ -84,7 +84,7 @@ void TriangleTree::Halve(Index firstLeaf, Index leaves)
     begin, middle, end, [&](Index s, Index t) { return centre(s)[axis] < centre(t)[axis]; });
 }
 
-void TriangleTree::Sort(Index firstLeaf, Index leaves)
+void TriangleBvh::Sort(Index firstLeaf, Index leaves)
 {
   if (leaves > 1)
   {
@@ -94,7 +94,7 @@ void TriangleTree::Sort(Index firstLeaf, Index leaves)
   }
 }
 
-TriangleTree::Box TriangleTree::LeafBox(Index leaf) const
+TriangleBvh::Box TriangleBvh::LeafBox(Index leaf) const
 {
   Box box;
   for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
@@ -107,13 +107,13 @@ TriangleTree::Box TriangleTree::LeafBox(Index leaf) const
   return box;
 }
 
-void TriangleTree::Merge(Index node)
+void TriangleBvh::Merge(Index node)
 {
   const Box* children = this->Boxes.data() + 2 * std::ptrdiff_t(node);
   this->Boxes[node] = children[0].merged(children[1]);
 }
 
-void TriangleTree::Refit(const std::vector<Index>& triangles)
+void TriangleBvh::Refit(const std::vector<Index>& triangles)
 {
   for (const Index t : triangles)
   {
@@ -129,7 +129,7 @@ void TriangleTree::Refit(const std::vector<Index>& triangles)
   }
 }
 
-void TriangleTree::Refit()
+void TriangleBvh::Refit()
 {
   if (this->IsCurrent)
   {
@@ -144,14 +144,14 @@ void TriangleTree::Refit()
   }
 }
 
-double TriangleTree::SquaredDistance(Index triangle, const Vector3& x) const
+double TriangleBvh::SquaredDistance(Index triangle, const Vector3& x) const
 {
   const Vector3 closest = ClosestPointOnTriangle(x, this->V.row(this->T(triangle, 0)),
     this->V.row(this->T(triangle, 1)), this->V.row(this->T(triangle, 2)));
   return (closest - x).squaredNorm();
 }
 
-void TriangleTree::Try(Index triangle, const Vector3& x, Hit& best) const
+void TriangleBvh::Try(Index triangle, const Vector3& x, Hit& best) const
 {
   const double squaredDistance = this->SquaredDistance(triangle, x);
   const bool isFirst = best.triangle < 0 && squaredDistance <= best.squaredDistance;
@@ -161,7 +161,7 @@ void TriangleTree::Try(Index triangle, const Vector3& x, Hit& best) const
   }
 }
 
-TriangleTree::Hit TriangleTree::FindClosest(const Vector3& x, double radius, Index hint) const
+TriangleBvh::Hit TriangleBvh::FindClosest(const Vector3& x, double radius, Index hint) const
 {
   Hit best{ -1, radius * radius };
   const double closeEnough = NegligibleDistance * NegligibleDistance * best.squaredDistance;

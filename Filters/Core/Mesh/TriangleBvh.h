@@ -12,7 +12,7 @@ namespace lmo
 {
 /// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
 /// and refitted after motions. (VTK's locators and Eigen's KdBVH have to be built anew.)
-class TriangleTree
+class TriangleBvh
 {
 public:
   struct Hit
@@ -23,10 +23,10 @@ public:
 
   /// Keeps references to the arguments. Triangles that name a vertex twice are left out.
   /// \throw Cancelled if the monitor says so.
-  TriangleTree(const Points& V, const Triangles& triangles, Monitor& monitor);
+  TriangleBvh(const Points& V, const Triangles& triangles, ProgressMonitor& monitor);
 
   /// The same tree over vertices that may move on their own; keeps a reference to \a V.
-  TriangleTree(const Points& V, const TriangleTree& other);
+  TriangleBvh(const Points& V, const TriangleBvh& other);
 
   /// Says that vertices have moved: Refit() has to follow before the next query.
   void Invalidate() { this->IsCurrent = false; }

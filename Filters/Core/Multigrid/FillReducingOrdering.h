@@ -18,9 +18,9 @@ namespace lmo
 {
 /// Order of the unknowns in which a factorisation has few entries.
 #ifdef LMO_USE_METIS
-using Ordering = Eigen::MetisOrdering<Index>;
+using FillReducingOrdering = Eigen::MetisOrdering<Index>;
 #else
-using Ordering = Eigen::AMDOrdering<Index>;
+using FillReducingOrdering = Eigen::AMDOrdering<Index>;
 #endif
 }
 

@@ -19,14 +19,14 @@ constexpr int SmootherDegree = 3;
 constexpr int CotangentSmootherDegree = 5;
 
 /// product = A x
-void Assign(const PaddedRows& A, const PackedPoints<float>& x, PackedPoints<float>& product)
+void Assign(const PaddedCsrMatrix& A, const PackedPoints<float>& x, PackedPoints<float>& product)
 {
-  ParallelFor(A.Size(), [rows = PaddedRows::Times(A, x), product = View(product)](Index i) mutable
-    { product.col(i) = rows(i); });
+  ParallelFor(A.Size(), [rows = PaddedCsrMatrix::Times(A, x), product = View(product)](
+                          Index i) mutable { product.col(i) = rows(i); });
 }
 }
 
-Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
+Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, ProgressMonitor& monitor)
   : Matrix(std::move(matrix))
   , Eliminated(*this->Matrix)
   , FinestSmoother(ChebyshevSmoother(
@@ -52,13 +52,13 @@ Multigrid::Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& mo
   while (coarse.rows() > 0)
   {
     SparseRows coarser = this->AddLevel(SparseRowList(coarse), monitor);
-    this->Levels.back().A = PaddedRows(coarse);
+    this->Levels.back().A = PaddedCsrMatrix(coarse);
     coarse.swap(coarser);
   }
 }
 
 template <typename Rows>
-SparseRows Multigrid::AddLevel(const Rows& matrix, Monitor& monitor)
+SparseRows Multigrid::AddLevel(const Rows& matrix, ProgressMonitor& monitor)
 {
   const Index size = matrix.Size();
   this->Levels.emplace_back();
@@ -82,8 +82,8 @@ SparseRows Multigrid::AddLevel(const Rows& matrix, Monitor& monitor)
   level.coarseSolution.resize(4, aggregation.count);
   const SparseRows prolongation = SmoothedProlongation(matrix, level.smootherScale, aggregation);
   const SparseRows restriction = prolongation.transpose();
-  level.prolongation = PaddedRows(prolongation);
-  level.restriction = PaddedRows(restriction);
+  level.prolongation = PaddedCsrMatrix(prolongation);
+  level.restriction = PaddedCsrMatrix(restriction);
   monitor.Report(0);
   constexpr Index expectedEntries = 8;
   const SparseRows product = Multiply(matrix, prolongation, expectedEntries);
@@ -104,19 +104,19 @@ void Multigrid::FactoriseCoarsest(const Rows& matrix)
 }
 
 void Multigrid::Apply(
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, ProgressMonitor& monitor)
 {
   this->WithoutEliminated(rightHandSide, solution, monitor, &Multigrid::CycleFrom);
 }
 
 void Multigrid::ApplyTransposed(
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, ProgressMonitor& monitor)
 {
   this->WithoutEliminated(rightHandSide, solution, monitor, &Multigrid::TransposedCycleFrom);
 }
 
 void Multigrid::WithoutEliminated(const PackedPoints<float>& rightHandSide,
-  PackedPoints<float>& solution, Monitor& monitor, Cycle cycle)
+  PackedPoints<float>& solution, ProgressMonitor& monitor, Cycle cycle)
 {
   monitor.Report(0);
   if (this->Eliminated.IsEmpty())
@@ -147,7 +147,7 @@ void Multigrid::CycleFrom(std::size_t index, const PackedPoints<float>& b, Packe
     });
   Assign(level.restriction, level.residual, level.coarseRightHandSide);
   this->CycleFrom(index + 1, level.coarseRightHandSide, level.coarseSolution);
-  ParallelFor(size, [rows = PaddedRows::Times(level.prolongation, level.coarseSolution),
+  ParallelFor(size, [rows = PaddedCsrMatrix::Times(level.prolongation, level.coarseSolution),
                       x = View(x)](Index i) mutable { x.col(i) += rows(i); });
 }
 
@@ -171,7 +171,7 @@ void Multigrid::WithRows(std::size_t index, const PackedPoints<float>& x, const 
 {
   if (index > 0 || !this->Eliminated.IsEmpty())
   {
-    body(PaddedRows::Times(this->Levels[index].A, x));
+    body(PaddedCsrMatrix::Times(this->Levels[index].A, x));
     return;
   }
   this->Matrix->K->WithRows(x,

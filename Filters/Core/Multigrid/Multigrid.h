@@ -21,17 +21,17 @@ public:
   using Values = Eigen::ArrayXf;
 
   /// \throw Cancelled if the monitor says so; it is asked a few times for each level.
-  Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
+  Multigrid(std::shared_ptr<const ShiftedStiffness> matrix, ProgressMonitor& monitor);
 
   /// solution = B rightHandSide, approximately (K + R)^-1 rightHandSide
   /// \throw Cancelled if the monitor says so.
-  void Apply(
-    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
+  void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
+    ProgressMonitor& monitor);
 
   /// solution = B^T rightHandSide
   /// \throw Cancelled if the monitor says so.
-  void ApplyTransposed(
-    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
+  void ApplyTransposed(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
+    ProgressMonitor& monitor);
 
   const ShiftedStiffness& GetMatrix() const { return *this->Matrix; }
   std::size_t GetNumberOfLevels() const { return this->Levels.size(); }
@@ -39,9 +39,9 @@ public:
 private:
   struct Level
   {
-    PaddedRows A;                 ///< not used where it is K + R
-    PaddedRows prolongation;      ///< from the next, coarser level; empty on the coarsest
-    PaddedRows restriction;       ///< its transpose
+    PaddedCsrMatrix A;            ///< not used where it is K + R
+    PaddedCsrMatrix prolongation; ///< from the next, coarser level; empty on the coarsest
+    PaddedCsrMatrix restriction;  ///< its transpose
     Values smootherScale;         ///< 0 for unknowns that are 0
     PackedPoints<float> previous; ///< iterate of the smoother
     PackedPoints<float> residual;
@@ -66,14 +66,14 @@ private:
   /// Adds a level but for its matrix.
   /// \return the matrix of the next, coarser level; empty if there is none
   template <typename Rows>
-  SparseRows AddLevel(const Rows& matrix, Monitor& monitor);
+  SparseRows AddLevel(const Rows& matrix, ProgressMonitor& monitor);
 
   template <typename Rows>
   void FactoriseCoarsest(const Rows& matrix);
 
   /// Calls the cycle for the unknowns that are not eliminated, and finds the others from these.
   void WithoutEliminated(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
-    Monitor& monitor, Cycle cycle);
+    ProgressMonitor& monitor, Cycle cycle);
 
   /// B and its transpose, from a level on.
   void CycleFrom(std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x);
@@ -99,7 +99,7 @@ private:
     std::size_t level, const PackedPoints<float>& b, PackedPoints<float>& x, std::size_t first);
 
   std::shared_ptr<const ShiftedStiffness> Matrix;
-  Elimination Eliminated;
+  SchurElimination Eliminated;
   PackedPoints<float> RestrictedRightHandSide; ///< of the unknowns that are not eliminated
   PackedPoints<float> RestrictedSolution;
   Smoother FinestSmoother;

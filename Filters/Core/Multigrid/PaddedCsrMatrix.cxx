@@ -8,7 +8,7 @@
 
 namespace lmo
 {
-PaddedRows::PaddedRows(const SparseRows& matrix)
+PaddedCsrMatrix::PaddedCsrMatrix(const SparseRows& matrix)
   : Offsets(matrix.rows() + 1)
 {
   const Index* const offsets = matrix.outerIndexPtr();

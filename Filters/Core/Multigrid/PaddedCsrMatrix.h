@@ -10,11 +10,11 @@ namespace lmo
 {
 /// A sparse matrix for fast products with packed points: zeros fill each row up to a multiple of
 /// four entries, since the processor could not predict where rows of any length end.
-class PaddedRows
+class PaddedCsrMatrix
 {
 public:
-  PaddedRows() = default;
-  explicit PaddedRows(const SparseRows& matrix);
+  PaddedCsrMatrix() = default;
+  explicit PaddedCsrMatrix(const SparseRows& matrix);
 
   Index Size() const { return static_cast<Index>(this->Offsets.size()) - 1; }
 
@@ -29,10 +29,10 @@ private:
 };
 
 /// The rows of A x; cheap to copy.
-class PaddedRows::Times
+class PaddedCsrMatrix::Times
 {
 public:
-  Times(const PaddedRows& A, const PackedPoints<float>& x)
+  Times(const PaddedCsrMatrix& A, const PackedPoints<float>& x)
     : X(View(x))
     , Offsets(A.Offsets.data())
     , Columns(A.Columns.data())

@@ -64,7 +64,7 @@ std::vector<Index> ChooseUnknowns(const ShiftedStiffness& matrix)
 }
 }
 
-Elimination::Elimination(const ShiftedStiffness& matrix)
+SchurElimination::SchurElimination(const ShiftedStiffness& matrix)
 {
   const std::vector<Index> chosen = ChooseUnknowns(matrix);
   if (chosen.size() < FewShare * matrix.Size())
@@ -101,11 +101,11 @@ Elimination::Elimination(const ShiftedStiffness& matrix)
             }
           });
       });
-  this->Prolongation = PaddedRows(prolongation);
-  this->Restriction = PaddedRows(prolongation.transpose());
+  this->Prolongation = PaddedCsrMatrix(prolongation);
+  this->Restriction = PaddedCsrMatrix(prolongation.transpose());
 }
 
-SparseRows Elimination::SchurComplement(const ShiftedStiffness& matrix) const
+SparseRows SchurElimination::SchurComplement(const ShiftedStiffness& matrix) const
 {
   std::vector<Index> others(this->NumberOfOthers);
   for (Index i = 0; i < matrix.Size(); ++i)
@@ -139,19 +139,19 @@ SparseRows Elimination::SchurComplement(const ShiftedStiffness& matrix) const
     });
 }
 
-void Elimination::Restrict(
+void SchurElimination::Restrict(
   const PackedPoints<float>& rightHandSide, PackedPoints<float>& restricted) const
 {
   ParallelFor(this->NumberOfOthers,
-    [rows = PaddedRows::Times(this->Restriction, rightHandSide), restricted = View(restricted)](
-      Index i) mutable { restricted.col(i) = rows(i); });
+    [rows = PaddedCsrMatrix::Times(this->Restriction, rightHandSide),
+      restricted = View(restricted)](Index i) mutable { restricted.col(i) = rows(i); });
 }
 
-void Elimination::Prolong(const PackedPoints<float>& others,
+void SchurElimination::Prolong(const PackedPoints<float>& others,
   const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution) const
 {
   ParallelFor(static_cast<Index>(this->PlaceOf.size()),
-    [rows = PaddedRows::Times(this->Prolongation, others), b = View(rightHandSide),
+    [rows = PaddedCsrMatrix::Times(this->Prolongation, others), b = View(rightHandSide),
       inverseD = this->InverseDiagonal.data(), x = View(solution)](Index i) mutable
     { x.col(i) = rows(i) + inverseD[i] * b.col(i); });
 }

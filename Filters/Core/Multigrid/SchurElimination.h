@@ -15,11 +15,11 @@ namespace lmo
 /// Schur complement S that is nearly as sparse as K + R, and
 ///   (K + R)^-1 = P S^-1 P^T + D^-1,
 /// where P interpolates the unknowns eliminated from the others and D is their diagonal.
-class Elimination
+class SchurElimination
 {
 public:
   /// Chooses the unknowns; none if they would be few.
-  explicit Elimination(const ShiftedStiffness& matrix);
+  explicit SchurElimination(const ShiftedStiffness& matrix);
 
   /// No unknown is eliminated; there is nothing to restrict or to prolong.
   bool IsEmpty() const { return this->NumberOfOthers == 0; }
@@ -40,8 +40,8 @@ private:
   Eigen::ArrayXf InverseDiagonal; ///< 0 for the others
   std::vector<Index> PlaceOf;     ///< of the others
   Index NumberOfOthers = 0;
-  PaddedRows Prolongation; ///< P
-  PaddedRows Restriction;  ///< its transpose
+  PaddedCsrMatrix Prolongation; ///< P
+  PaddedCsrMatrix Restriction;  ///< its transpose
 };
 }
 

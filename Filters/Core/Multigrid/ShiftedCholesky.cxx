@@ -42,7 +42,7 @@ using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, Ind
 std::vector<Index> FindOrder(const SparseMatrix& lower)
 {
   Permutation inverse;
-  Ordering()(SparseMatrix(lower.selfadjointView<Eigen::Lower>()), inverse);
+  FillReducingOrdering()(SparseMatrix(lower.selfadjointView<Eigen::Lower>()), inverse);
   const Permutation permutation = inverse.inverse();
   const Index* places = permutation.indices().data();
   return { places, places + permutation.size() };
@@ -59,7 +59,7 @@ SparseMatrix Permuted(const SparseMatrix& lower, const std::vector<Index>& place
 }
 
 /// The monitor may cancel between some rows.
-void AskNowAndThen(Monitor& monitor, Index row)
+void AskNowAndThen(ProgressMonitor& monitor, Index row)
 {
   constexpr Index often = 1 << 16;
   if (row % often == 0)
@@ -69,8 +69,8 @@ void AskNowAndThen(Monitor& monitor, Index row)
 }
 }
 
-StiffnessFactorisation::StiffnessFactorisation(
-  std::shared_ptr<const ShiftedStiffness> matrix, const StiffnessFactorisation* previous)
+ShiftedCholesky::ShiftedCholesky(
+  std::shared_ptr<const ShiftedStiffness> matrix, const ShiftedCholesky* previous)
   : Matrix(std::move(matrix))
   , Work(4, this->Matrix->Size())
 {
@@ -91,8 +91,8 @@ StiffnessFactorisation::StiffnessFactorisation(
   this->Entries.assign(columns.valuePtr(), columns.valuePtr() + columns.nonZeros());
 }
 
-void StiffnessFactorisation::Apply(
-  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+void ShiftedCholesky::Apply(
+  const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, ProgressMonitor& monitor)
 {
   using Row = PackedRow<float>;
   const std::vector<Index>& placeOf = *this->PlaceOf;

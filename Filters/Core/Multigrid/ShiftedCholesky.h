@@ -10,24 +10,23 @@ namespace lmo
 {
 /// Inverse of K + R by a sparse factorisation P (K + R) P^T = U^T D U, U unit upper triangular,
 /// computed in double and applied in single precision.
-class StiffnessFactorisation
+class ShiftedCholesky
 {
 public:
   /// \param previous if it has the same pattern, its order of the unknowns is taken over; may be
   /// null
   /// \throw SolverError if the matrix is singular.
-  StiffnessFactorisation(
-    std::shared_ptr<const ShiftedStiffness> matrix, const StiffnessFactorisation* previous);
+  ShiftedCholesky(std::shared_ptr<const ShiftedStiffness> matrix, const ShiftedCholesky* previous);
 
   /// solution = (K + R)^-1 rightHandSide
   /// \throw Cancelled if the monitor says so.
-  void Apply(
-    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor);
+  void Apply(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
+    ProgressMonitor& monitor);
 
   /// The same: the matrix is symmetric.
   /// \throw Cancelled if the monitor says so.
-  void ApplyTransposed(
-    const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution, Monitor& monitor)
+  void ApplyTransposed(const PackedPoints<float>& rightHandSide, PackedPoints<float>& solution,
+    ProgressMonitor& monitor)
   {
     this->Apply(rightHandSide, solution, monitor);
   }

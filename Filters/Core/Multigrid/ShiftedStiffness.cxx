@@ -29,10 +29,10 @@ double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
 }
 
 ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
-  std::shared_ptr<const PackedStiffness<float>> K,
+  std::shared_ptr<const EllpackStiffness<float>> K,
   const std::shared_ptr<const Vector>& softEdgeWeights)
   : L{ problem.L.rings, softEdgeWeights ? softEdgeWeights : problem.L.edgeWeights, {} }
-  , K(softEdgeWeights ? std::make_shared<const PackedStiffness<float>>(L) : std::move(K))
+  , K(softEdgeWeights ? std::make_shared<const EllpackStiffness<float>>(L) : std::move(K))
   , shift(problem.Size())
   , diagonal(problem.Size())
   , inverseQ(problem.Size())
@@ -53,7 +53,7 @@ ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
       const double q = std::max(Q[i], smallestQ);
       const double sum = WeightSum(this->L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
-      this->isLeftOut[i] = problem.motion.freedom[i] != MotionConstraints::FREE ||
+      this->isLeftOut[i] = problem.motion.freedom[i] != DisplacementConstraints::FREE ||
                            problem.L.rings->Size(i) > LargestRing;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
       const double here = problem.positionWeights[i] / std::sqrt(q);

@@ -23,7 +23,7 @@ struct ShiftedStiffness
   using Values = Eigen::ArrayXf;
 
   Laplacian L; ///< without row scales
-  std::shared_ptr<const PackedStiffness<float>> K;
+  std::shared_ptr<const EllpackStiffness<float>> K;
   Values shift;    ///< diagonal of R, > 0
   Vector diagonal; ///< of K + R
   Values inverseQ; ///< > 0, but 0 at vertices left out
@@ -32,7 +32,7 @@ struct ShiftedStiffness
   /// \param K that of the problem's Laplacian, used unless there are soft weights
   /// \param softEdgeWeights may be null
   ShiftedStiffness(const LeastSquaresProblem& problem,
-    std::shared_ptr<const PackedStiffness<float>> K,
+    std::shared_ptr<const EllpackStiffness<float>> K,
     const std::shared_ptr<const Vector>& softEdgeWeights = nullptr);
 
   /// Entries of both matrices are in the same places.

@@ -9,6 +9,14 @@
 
 namespace lmo
 {
+/// L of Eqn. 11.
+enum class LaplacianType
+{
+  UNIFORM,
+  COTANGENT,
+  MEAN_CURVATURE
+};
+
 /// A discrete Laplace operator L = G (S - E): S holds the symmetric edge weights omega_ij, the
 /// diagonal E their sums over each one-ring, the diagonal G a scale for each row. With this sign
 /// L V points to the inner side of a convex surface.

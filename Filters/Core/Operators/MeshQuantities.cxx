@@ -57,7 +57,7 @@ Points ComputeDetailTarget(const Laplacian& uniform, const Laplacian& cotangent,
 }
 }
 
-MeshAnalysis::MeshAnalysis(
+MeshQuantities::MeshQuantities(
   Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain)
   : V(std::move(V))
   , T(std::move(triangles))
@@ -69,7 +69,7 @@ MeshAnalysis::MeshAnalysis(
 }
 
 template <typename Part, typename Compute>
-const Part& MeshAnalysis::Get(std::optional<Part>& part, const Compute& compute)
+const Part& MeshQuantities::Get(std::optional<Part>& part, const Compute& compute)
 {
   if (!part)
   {
@@ -79,12 +79,12 @@ const Part& MeshAnalysis::Get(std::optional<Part>& part, const Compute& compute)
   return *part;
 }
 
-std::shared_ptr<const AdjacencyLists> MeshAnalysis::OneRings() const
+std::shared_ptr<const AdjacencyLists> MeshQuantities::OneRings() const
 {
   return { this->Topology, &this->Topology->oneRings };
 }
 
-void MeshAnalysis::ComputeCotangentParts()
+void MeshQuantities::ComputeCotangentParts()
 {
   if (!this->EdgeWeights && this->IsRobust)
   {
@@ -100,7 +100,7 @@ void MeshAnalysis::ComputeCotangentParts()
   }
 }
 
-void MeshAnalysis::SetRobustWeights(RobustWeights weights)
+void MeshQuantities::SetRobustWeights(RobustWeights weights)
 {
   this->WeightRings = std::move(weights.rings);
   this->EdgeWeights = std::move(weights.edgeWeights);
@@ -108,18 +108,18 @@ void MeshAnalysis::SetRobustWeights(RobustWeights weights)
   ++this->NumberOfParts;
 }
 
-void MeshAnalysis::PrepareRobustLaplacian(LaplacianType type, Monitor& monitor)
+void MeshQuantities::PrepareRobustLaplacian(LaplacianType type, ProgressMonitor& monitor)
 {
   const bool areNeeded = !this->Curvatures || (type != LaplacianType::UNIFORM &&
                                                 !this->Laplacians[static_cast<int>(type)]);
   if (this->IsRobust && !this->EdgeWeights && areNeeded)
   {
     this->SetRobustWeights(
-      RunAside(monitor, [V = this->V, T = this->T] { return ComputeRobustWeights(V, T); }));
+      RunInBackground(monitor, [V = this->V, T = this->T] { return ComputeRobustWeights(V, T); }));
   }
 }
 
-void MeshAnalysis::ReleaseIntermediateParts(LaplacianType type)
+void MeshQuantities::ReleaseIntermediateParts(LaplacianType type)
 {
   this->CurvatureNormals.reset();
   for (const LaplacianType other : { LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
@@ -135,7 +135,7 @@ void MeshAnalysis::ReleaseIntermediateParts(LaplacianType type)
   }
 }
 
-void MeshAnalysis::ForgetWeights()
+void MeshQuantities::ForgetWeights()
 {
   this->WeightRings.reset();
   this->EdgeWeights.reset();
@@ -143,7 +143,7 @@ void MeshAnalysis::ForgetWeights()
   this->VoronoiAreas.resize(0);
 }
 
-void MeshAnalysis::SetRobustLaplacian(bool isRobust)
+void MeshQuantities::SetRobustLaplacian(bool isRobust)
 {
   if (this->IsRobust != isRobust)
   {
@@ -159,7 +159,7 @@ void MeshAnalysis::SetRobustLaplacian(bool isRobust)
   }
 }
 
-bool MeshAnalysis::HasBoundary()
+bool MeshQuantities::HasBoundary()
 {
   return this->Get(this->Boundary,
     [&]
@@ -170,7 +170,7 @@ bool MeshAnalysis::HasBoundary()
     });
 }
 
-std::shared_ptr<const Vector> MeshAnalysis::GetSoftEdgeWeights()
+std::shared_ptr<const Vector> MeshQuantities::GetSoftEdgeWeights()
 {
   return this->Get(this->SoftWeights,
     [&]
@@ -181,13 +181,13 @@ std::shared_ptr<const Vector> MeshAnalysis::GetSoftEdgeWeights()
     });
 }
 
-const Vector& MeshAnalysis::GetVoronoiAreas()
+const Vector& MeshQuantities::GetVoronoiAreas()
 {
   this->ComputeCotangentParts();
   return this->VoronoiAreas;
 }
 
-const Laplacian& MeshAnalysis::GetLaplacian(LaplacianType type)
+const Laplacian& MeshQuantities::GetLaplacian(LaplacianType type)
 {
   return this->Get(this->Laplacians[static_cast<int>(type)],
     [&]
@@ -203,7 +203,7 @@ const Laplacian& MeshAnalysis::GetLaplacian(LaplacianType type)
     });
 }
 
-const Points& MeshAnalysis::GetMeanCurvatureNormals()
+const Points& MeshQuantities::GetMeanCurvatureNormals()
 {
   return this->Get(this->CurvatureNormals,
     [&]
@@ -215,7 +215,7 @@ const Points& MeshAnalysis::GetMeanCurvatureNormals()
     });
 }
 
-const Vector& MeshAnalysis::GetMeanCurvatures()
+const Vector& MeshQuantities::GetMeanCurvatures()
 {
   return this->Get(this->Curvatures,
     [&]
@@ -227,7 +227,7 @@ const Vector& MeshAnalysis::GetMeanCurvatures()
     });
 }
 
-const CurvatureStatistics& MeshAnalysis::GetStatistics()
+const CurvatureStatistics& MeshQuantities::GetStatistics()
 {
   return this->Get(this->Statistics,
     [&] {
@@ -235,7 +235,7 @@ const CurvatureStatistics& MeshAnalysis::GetStatistics()
     });
 }
 
-const Vector& MeshAnalysis::GetCumulativeWeights()
+const Vector& MeshQuantities::GetCumulativeWeights()
 {
   return this->Get(this->Cumulative,
     [&] {
@@ -243,7 +243,7 @@ const Vector& MeshAnalysis::GetCumulativeWeights()
     });
 }
 
-std::shared_ptr<const Points> MeshAnalysis::GetDetailTarget()
+std::shared_ptr<const Points> MeshQuantities::GetDetailTarget()
 {
   return this->Get(this->DetailTarget,
     [&]
@@ -254,7 +254,7 @@ std::shared_ptr<const Points> MeshAnalysis::GetDetailTarget()
     });
 }
 
-std::shared_ptr<const MeshQuality> MeshAnalysis::GetQuality()
+std::shared_ptr<const MeshQuality> MeshQuantities::GetQuality()
 {
   return this->Get(this->Quality,
     [&] {
@@ -262,7 +262,7 @@ std::shared_ptr<const MeshQuality> MeshAnalysis::GetQuality()
     });
 }
 
-const std::vector<Index>& MeshAnalysis::GetComponents()
+const std::vector<Index>& MeshQuantities::GetComponents()
 {
   return this->Get(this->Components, [&] { return ConnectedComponents(this->Topology->oneRings); });
 }

@@ -16,25 +16,17 @@
 
 namespace lmo
 {
-/// L of Eqn. 11.
-enum class LaplacianType
-{
-  UNIFORM,
-  COTANGENT,
-  MEAN_CURVATURE
-};
-
 /// What depends on the mesh alone: each part is computed when it is asked for the first time, and
 /// kept.
-class MeshAnalysis
+class MeshQuantities
 {
 public:
   /// \param triangles ids below the number of rows of \a V
   /// \param subdomain what part of the whole mesh this is
-  MeshAnalysis(Points V, Triangles triangles,
+  MeshQuantities(Points V, Triangles triangles,
     std::shared_ptr<const Subdomain> subdomain = std::make_shared<Subdomain>());
-  MeshAnalysis(const MeshAnalysis&) = delete;
-  void operator=(const MeshAnalysis&) = delete;
+  MeshQuantities(const MeshQuantities&) = delete;
+  void operator=(const MeshQuantities&) = delete;
 
   const Points& GetPoints() const { return this->V; }
   const Triangles& GetTriangles() const { return this->T; }
@@ -59,7 +51,7 @@ public:
   /// Computes the robust weights now, which takes long, if GetMeanCurvatures() or GetLaplacian() of
   /// \a type need them.
   /// \throw Cancelled if the monitor says so.
-  void PrepareRobustLaplacian(LaplacianType type, Monitor& monitor);
+  void PrepareRobustLaplacian(LaplacianType type, ProgressMonitor& monitor);
 
   /// L_u, L_c and L_ck.
   const Laplacian& GetLaplacian(LaplacianType type);

@@ -49,8 +49,8 @@ double MeanOf(const Vector& quality)
 class Passes
 {
 public:
-  Passes(MeshAnalysis& mesh, const OptimizerOptions& options, const FeatureLines& features,
-    const MotionConstraints& motion, Monitor& monitor)
+  Passes(MeshQuantities& mesh, const OptimizerOptions& options, const FeatureLines& features,
+    const DisplacementConstraints& motion, ProgressMonitor& monitor)
     : Mesh(mesh)
     , Options(options)
     , Features(features)
@@ -66,7 +66,7 @@ public:
     monitor.Report(0);
   }
 
-  void Run(Monitor& monitor, DeviationResult& result);
+  void Run(ProgressMonitor& monitor, DeviationResult& result);
 
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
@@ -78,11 +78,11 @@ private:
   }
 
   /// The motion that Eqn. 11 proposes.
-  Solution Propose(Monitor& monitor);
+  Solution Propose(ProgressMonitor& monitor);
 
   /// Moves as far as the guard allows.
   /// \return whether it allows any motion
-  bool Settle(const Points& motion, double leastQuality, Monitor& monitor);
+  bool Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor);
 
   /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
   /// far above the original surface as below it; 0 if there is distance left.
@@ -97,7 +97,7 @@ private:
 
   Index CountRolledBack() const;
 
-  MeshAnalysis& Mesh;
+  MeshQuantities& Mesh;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
   const double Distance; ///< allowed
@@ -107,7 +107,7 @@ private:
   Vector Share;    ///< of the motion, 0 to 1
 };
 
-Solution Passes::Propose(Monitor& monitor)
+Solution Passes::Propose(ProgressMonitor& monitor)
 {
   SetTargets(this->Mesh, this->Features, this->Guard.GetAdmitted(), this->Problem);
   this->SetPositionWeights();
@@ -118,7 +118,7 @@ Solution Passes::Propose(Monitor& monitor)
     [&](Index i)
     {
       solution.displacement.row(i) *= this->Share[i] == 1 ? OverRelaxation : 1;
-      if (this->Problem.motion.freedom[i] == MotionConstraints::IN_PLANE)
+      if (this->Problem.motion.freedom[i] == DisplacementConstraints::IN_PLANE)
       {
         solution.displacement.row(i) +=
           Centring * this->CentreAt(i) * this->Problem.motion.axes.row(i);
@@ -184,13 +184,13 @@ std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& 
   return vertices;
 }
 
-bool Passes::Settle(const Points& motion, double leastQuality, Monitor& monitor)
+bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor)
 {
   std::vector<Index> moving;
   this->Share = Vector::Zero(this->Size());
   for (Index i = 0; i < this->Size(); ++i)
   {
-    if (this->Problem.motion.freedom[i] != MotionConstraints::FIXED)
+    if (this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED)
     {
       this->Share[i] = 1;
       moving.push_back(i);
@@ -235,12 +235,13 @@ Index Passes::CountRolledBack() const
   Index count = 0;
   for (Index i = 0; i < this->Size(); ++i)
   {
-    count += this->Problem.motion.freedom[i] != MotionConstraints::FIXED && this->Share[i] < 1;
+    count +=
+      this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED && this->Share[i] < 1;
   }
   return count;
 }
 
-void Passes::Run(Monitor& monitor, DeviationResult& result)
+void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
 {
   const int passes = this->Options.deviation.passes;
   try
@@ -285,8 +286,8 @@ void Passes::Run(Monitor& monitor, DeviationResult& result)
 }
 }
 
-DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptions& options,
-  const FeatureLines& features, const MotionConstraints& motion, Monitor& monitor)
+DeviationResult OptimizeWithinDeviation(MeshQuantities& mesh, const OptimizerOptions& options,
+  const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor)
 {
   DeviationResult result;
   try

@@ -3,7 +3,9 @@
 #ifndef lmo_DeviationOptimizer_h
 #define lmo_DeviationOptimizer_h
 
+#include "Core/Mesh/DisplacementConstraints.h"
 #include "Core/Mesh/FeatureLines.h"
+#include "Core/Operators/MeshQuantities.h"
 #include "Core/Optimizer/OptimizerOptions.h"
 
 namespace lmo
@@ -34,8 +36,8 @@ struct DeviationResult
 /// vertex by vertex, as much of the motion as leaves the error or spoils a triangle.
 /// \param features lines along which vertices slide
 /// \param motion FIXED, ALONG_LINE or FREE, which here is in the tangent plane
-DeviationResult OptimizeWithinDeviation(MeshAnalysis& mesh, const OptimizerOptions& options,
-  const FeatureLines& features, const MotionConstraints& motion, Monitor& monitor);
+DeviationResult OptimizeWithinDeviation(MeshQuantities& mesh, const OptimizerOptions& options,
+  const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor);
 }
 
 #endif

@@ -23,15 +23,16 @@ void HoldHubs(const MeshTopology& topology, Mask& freedom)
   {
     if (topology.IsHub(i))
     {
-      freedom[i] = MotionConstraints::FIXED;
+      freedom[i] = DisplacementConstraints::FIXED;
       std::for_each(topology.oneRings.Begin(i), topology.oneRings.End(i),
-        [&](Index j) { freedom[j] = MotionConstraints::FIXED; });
+        [&](Index j) { freedom[j] = DisplacementConstraints::FIXED; });
     }
   }
 }
 }
 
-LeastSquaresProblem SetUpTangentialProblem(MeshAnalysis& mesh, const MotionConstraints& motion)
+LeastSquaresProblem SetUpTangentialProblem(
+  MeshQuantities& mesh, const DisplacementConstraints& motion)
 {
   const MeshTopology& topology = mesh.GetTopology();
   LeastSquaresProblem problem;
@@ -42,19 +43,19 @@ LeastSquaresProblem SetUpTangentialProblem(MeshAnalysis& mesh, const MotionConst
   for (Index i = 0; i < topology.vertices; ++i)
   {
     auto& freedom = problem.motion.freedom[i];
-    if (freedom == MotionConstraints::FREE)
+    if (freedom == DisplacementConstraints::FREE)
     {
       problem.laplacianWeights[i] = 1;
-      freedom = MotionConstraints::IN_PLANE;
+      freedom = DisplacementConstraints::IN_PLANE;
     }
   }
   return problem;
 }
 
 void SetTargets(
-  MeshAnalysis& mesh, const FeatureLines& features, const Points& V, LeastSquaresProblem& problem)
+  MeshQuantities& mesh, const FeatureLines& features, const Points& V, LeastSquaresProblem& problem)
 {
-  MotionConstraints& motion = problem.motion;
+  DisplacementConstraints& motion = problem.motion;
   motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
   problem.lineRows.clear();
   ForEachLineVertex(features,
@@ -62,7 +63,7 @@ void SetTargets(
     {
       const Vector3 tangent = (V.row(next) - V.row(previous)).stableNormalized();
       motion.axes.row(i) = tangent;
-      if (motion.freedom[i] == MotionConstraints::ALONG_LINE)
+      if (motion.freedom[i] == DisplacementConstraints::ALONG_LINE)
       {
         const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
         problem.lineRows.push_back({ i, previous, next, 1, -laplacian.dot(tangent) * tangent });
@@ -80,7 +81,7 @@ void SetTargets(
   problem.target = std::move(target);
 }
 
-void SetPositionWeights(MeshAnalysis& mesh, const Vector& triangleQuality, const Vector& adaption,
+void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, const Vector& adaption,
   LeastSquaresProblem& problem)
 {
   const Index size = mesh.GetTopology().vertices;

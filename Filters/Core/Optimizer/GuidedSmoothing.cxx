@@ -22,7 +22,8 @@ class GuidedEquations
 {
 public:
   GuidedEquations(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const Points& normals, const Laplacian& L, const MotionConstraints& motion, double detailWeight)
+    const Points& normals, const Laplacian& L, const DisplacementConstraints& motion,
+    double detailWeight)
     : T(triangles)
     , CornersAt(topology.cornersAt)
     , Normals(normals)
@@ -125,7 +126,7 @@ private:
   const AdjacencyLists& CornersAt;
   const Points& Normals;
   const Laplacian& L;
-  const MotionConstraints& Motion;
+  const DisplacementConstraints& Motion;
   const double SquaredDetailWeight; ///< mu^2
   std::vector<Matrix3> FreeDirections;
   std::vector<Matrix3> Preconditioner;
@@ -140,8 +141,8 @@ double Dot(const Points& a, const Points& b)
 }
 
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const Points& normals, const Laplacian& L, const MotionConstraints& motion, double detailWeight,
-  Points guess, const SolverOptions& options, Monitor& monitor)
+  const Points& normals, const Laplacian& L, const DisplacementConstraints& motion,
+  double detailWeight, Points guess, const SolverOptions& options, ProgressMonitor& monitor)
 {
   const GuidedEquations A(V, triangles, topology, normals, L, motion, detailWeight);
   const Points& b = A.GetRightHandSide();

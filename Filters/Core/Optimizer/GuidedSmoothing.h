@@ -18,8 +18,8 @@ namespace lmo
 /// \param guess of the displacement
 /// \throw Cancelled if the monitor says so.
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const Points& normals, const Laplacian& L, const MotionConstraints& motion, double detailWeight,
-  Points guess, const SolverOptions& options, Monitor& monitor);
+  const Points& normals, const Laplacian& L, const DisplacementConstraints& motion,
+  double detailWeight, Points guess, const SolverOptions& options, ProgressMonitor& monitor);
 }
 
 #endif

@@ -9,6 +9,7 @@
 #include "Core/Optimizer/GuidedSmoothing.h"
 #include "Core/Optimizer/ProblemSetup.h"
 #include "Core/Optimizer/VolumePreservation.h"
+#include "Core/Solvers/LinearSolver.h"
 
 #include <algorithm>
 
@@ -57,7 +58,7 @@ void Restore(const std::vector<Index>& oldNumbers, Values& values)
 }
 
 /// Moves vertices on lines to the closest points of these.
-void Project(const std::optional<FeatureLines>& lines, MeshAnalysis& mesh, Points& positions)
+void Project(const std::optional<FeatureLines>& lines, MeshQuantities& mesh, Points& positions)
 {
   if (lines)
   {
@@ -106,7 +107,8 @@ void Report(const Solution& solution, const SolverOptions& options, OptimizerRes
 
 Optimizer::Optimizer(Points V, Triangles triangles)
   : Solver([this](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-             Monitor& monitor) { return Solve(problem, type, options, monitor, this->Inverses); })
+             ProgressMonitor& monitor)
+      { return Solve(problem, type, options, monitor, this->Inverses); })
 {
   if (IsScattered(triangles))
   {
@@ -114,18 +116,18 @@ Optimizer::Optimizer(Points V, Triangles triangles)
     V = ToNewOrder(this->Order.vertices, std::move(V));
     triangles = Renumber(this->Order, triangles);
   }
-  this->Mesh = std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles));
+  this->Mesh = std::make_unique<MeshQuantities>(std::move(V), std::move(triangles));
 }
 
 Optimizer::Optimizer(
   Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain, ProblemSolver solver)
-  : Mesh(std::make_unique<MeshAnalysis>(std::move(V), std::move(triangles), std::move(subdomain)))
+  : Mesh(std::make_unique<MeshQuantities>(std::move(V), std::move(triangles), std::move(subdomain)))
   , Solver(std::move(solver))
 {
 }
 
 OptimizerResult Optimizer::Run(
-  const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
+  const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   if (this->Order.IsEmpty())
   {
@@ -160,9 +162,9 @@ OptimizerResult Optimizer::Run(
 }
 
 void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
-  const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result)
+  const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result)
 {
-  MeshAnalysis& mesh = *this->Mesh;
+  MeshQuantities& mesh = *this->Mesh;
   LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, lines);
   monitor.Begin("Solving");
   Solution solution = this->Solver(problem, options.solverType, options.solver, monitor);
@@ -188,9 +190,9 @@ void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& a
 }
 
 void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
-  const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result)
+  const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result)
 {
-  MeshAnalysis& mesh = *this->Mesh;
+  MeshQuantities& mesh = *this->Mesh;
   const OptimizerOptions smoothing = FirstSmoothing(options);
   const double share = 1.0 / (GuidedRounds + 1); // of the time
   PartialMonitor first(monitor, 0, share);
@@ -228,9 +230,10 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
 }
 
 void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const VertexArrays& arrays,
-  const FeatureLines& lines, Monitor& monitor, OptimizerResult& result)
+  const FeatureLines& lines, ProgressMonitor& monitor, OptimizerResult& result)
 {
-  const MotionConstraints motion = ChooseMotion(this->Mesh->GetTopology(), options, arrays, lines);
+  const DisplacementConstraints motion =
+    ChooseMotion(this->Mesh->GetTopology(), options, arrays, lines);
   monitor.Report(0);
   DeviationResult deviation = OptimizeWithinDeviation(*this->Mesh, options, lines, motion, monitor);
   result.positions = std::move(deviation.positions);
@@ -243,10 +246,10 @@ void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const Verte
 }
 
 OptimizerResult Optimizer::RunInOrder(
-  const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
+  const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   monitor.Begin("Setting up the equations");
-  MeshAnalysis& mesh = *this->Mesh;
+  MeshQuantities& mesh = *this->Mesh;
   mesh.SetRobustLaplacian(options.robustLaplacian);
   mesh.PrepareRobustLaplacian(options.laplacianType, monitor);
   const std::optional<FeatureLines> lines = SlidingLines(mesh, options, arrays);

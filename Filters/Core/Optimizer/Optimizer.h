@@ -31,8 +31,8 @@ struct OptimizerResult
 };
 
 /// Solves a problem as Solve() does.
-using ProblemSolver =
-  std::function<Solution(const LeastSquaresProblem&, SolverType, const SolverOptions&, Monitor&)>;
+using ProblemSolver = std::function<Solution(
+  const LeastSquaresProblem&, SolverType, const SolverOptions&, ProgressMonitor&)>;
 
 /// Laplacian mesh optimization of one mesh, any number of times: what depends on the mesh alone is
 /// computed once, when it is first needed.
@@ -55,38 +55,38 @@ public:
   /// \throw InputError if an array that the options need is missing.
   /// \throw SolverError, Cancelled as Solve() does.
   OptimizerResult Run(
-    const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
+    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
 
   /// The mesh, perhaps renumbered.
-  const MeshAnalysis& GetMesh() const { return *this->Mesh; }
+  const MeshQuantities& GetMesh() const { return *this->Mesh; }
 
-  const InverseCache& GetInverses() const { return this->Inverses; }
+  const PreconditionerCache& GetInverses() const { return this->Inverses; }
 
 private:
   OptimizerResult RunInOrder(
-    const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
+    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
 
   /// Sets V' and the figures of the solution: by Eqn. 11 once,
   void SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
-    const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result);
+    const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result);
 
   /// or along filtered normals,
   void FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
-    const std::optional<FeatureLines>& lines, Monitor& monitor, OptimizerResult& result);
+    const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result);
 
   /// or by passes within a deviation.
   void StayWithinDeviation(const OptimizerOptions& options, const VertexArrays& arrays,
-    const FeatureLines& lines, Monitor& monitor, OptimizerResult& result);
+    const FeatureLines& lines, ProgressMonitor& monitor, OptimizerResult& result);
 
   MeshOrder Order;
-  std::unique_ptr<MeshAnalysis> Mesh;
-  InverseCache Inverses;
+  std::unique_ptr<MeshQuantities> Mesh;
+  PreconditionerCache Inverses;
   ProblemSolver Solver;
 };
 
 /// Optimizer::Run() for a mesh that is used once.
 inline OptimizerResult Optimize(const Points& V, const Triangles& triangles,
-  const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
+  const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   return Optimizer(V, triangles).Run(options, arrays, monitor);
 }

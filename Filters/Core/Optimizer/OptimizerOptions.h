@@ -3,8 +3,8 @@
 #ifndef lmo_OptimizerOptions_h
 #define lmo_OptimizerOptions_h
 
-#include "Core/Operators/MeshQuantities.h"
-#include "Core/Solvers/LinearSolver.h"
+#include "Core/Operators/Laplacian.h"
+#include "Core/Solvers/SolverOptions.h"
 
 #include <optional>
 

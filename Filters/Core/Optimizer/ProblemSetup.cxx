@@ -16,7 +16,7 @@ namespace
 /// \throw InputError if it is missing.
 template <typename Values>
 const Values& Require(
-  const MeshAnalysis& mesh, const std::optional<Values>& array, const char* what)
+  const MeshQuantities& mesh, const std::optional<Values>& array, const char* what)
 {
   static const Values none;
   if (!array && mesh.GetPoints().rows() == 0)
@@ -33,7 +33,7 @@ const Values& Require(
 
 /// Sections 5 and 6: the diagonal of W_p before W_t.
 Vector SchemePositionWeights(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const char* const needed = "The position weighting needs a point array";
   const double s = options.scaleFactor;
@@ -73,7 +73,7 @@ LaplacianType UsedLaplacian(const OptimizerOptions& options)
 
 /// L of section 4, without rows at vertices on lines and at a boundary that is not free.
 Laplacian ChooseLaplacian(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const std::optional<FeatureLines>& lines)
+  MeshQuantities& mesh, const OptimizerOptions& options, const std::optional<FeatureLines>& lines)
 {
   const LaplacianType type = UsedLaplacian(options);
   Laplacian L = mesh.GetLaplacian(type);
@@ -98,7 +98,7 @@ Laplacian ChooseLaplacian(
 
 /// Between regions, between tagged vertices, or detected.
 AdjacencyLists FeatureEdges(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();
   if (arrays.regions)
@@ -120,7 +120,7 @@ AdjacencyLists FeatureEdges(
 }
 
 /// c = f - L V, with f of section 4.
-std::shared_ptr<const Points> ChooseTarget(MeshAnalysis& mesh, const Laplacian& L,
+std::shared_ptr<const Points> ChooseTarget(MeshQuantities& mesh, const Laplacian& L,
   const OptimizerOptions& options, const VertexArrays& arrays)
 {
   if (options.mode == Mode::OPTIMIZE_TRIANGLES)
@@ -154,7 +154,7 @@ std::vector<LineRow> SlidingRows(
 }
 
 Vector PositionWeights(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();
   Vector weights = SchemePositionWeights(mesh, options, arrays);
@@ -174,7 +174,7 @@ Vector PositionWeights(
 }
 
 Vector LaplacianWeights(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   switch (options.laplacianWeighting)
   {
@@ -199,7 +199,7 @@ bool HasFeatures(const OptimizerOptions& options)
 }
 
 std::optional<FeatureLines> SlidingLines(
-  MeshAnalysis& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const bool hasFeatures = HasFeatures(options);
   const bool hasBoundary =
@@ -222,10 +222,10 @@ std::optional<FeatureLines> SlidingLines(
   return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
 }
 
-MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
   const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
 {
-  MotionConstraints motion;
+  DisplacementConstraints motion;
   motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
   ParallelFor(topology.vertices,
     [&](Index i)
@@ -233,9 +233,9 @@ MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOpti
       const bool isFixed =
         motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
       const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
-      motion.freedom[i] = isFixed  ? MotionConstraints::FIXED
-                          : slides ? MotionConstraints::ALONG_LINE
-                                   : MotionConstraints::FREE;
+      motion.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
+                          : slides ? DisplacementConstraints::ALONG_LINE
+                                   : DisplacementConstraints::FREE;
     });
   if (lines)
   {
@@ -244,7 +244,7 @@ MotionConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOpti
   return motion;
 }
 
-LeastSquaresProblem SetUpProblem(MeshAnalysis& mesh, const OptimizerOptions& options,
+LeastSquaresProblem SetUpProblem(MeshQuantities& mesh, const OptimizerOptions& options,
   const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
 {
   LeastSquaresProblem problem;

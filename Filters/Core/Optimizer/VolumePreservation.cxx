@@ -79,7 +79,7 @@ class Restoration
 {
 public:
   Restoration(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const std::vector<Index>& component, const MotionConstraints& motion, const Points& moved)
+    const std::vector<Index>& component, const DisplacementConstraints& motion, const Points& moved)
     : T(triangles)
     , Component(component)
     , Components(component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1)
@@ -95,7 +95,7 @@ public:
     ParallelFor(topology.vertices,
       [&](Index i)
       {
-        if (motion.freedom[i] != MotionConstraints::FREE || !this->HasVolume[component[i]])
+        if (motion.freedom[i] != DisplacementConstraints::FREE || !this->HasVolume[component[i]])
         {
           this->Direction.row(i).setZero();
         }
@@ -172,7 +172,7 @@ private:
 }
 
 void RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const std::vector<Index>& component, const MotionConstraints& motion, Points& moved)
+  const std::vector<Index>& component, const DisplacementConstraints& motion, Points& moved)
 {
   Restoration(V, triangles, topology, component, motion, moved).Run(moved);
 }

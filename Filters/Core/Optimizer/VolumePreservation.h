@@ -3,7 +3,8 @@
 #ifndef lmo_VolumePreservation_h
 #define lmo_VolumePreservation_h
 
-#include "Core/LeastSquares/LeastSquaresProblem.h"
+#include "Core/Mesh/DisplacementConstraints.h"
+#include "Core/Mesh/MeshTopology.h"
 
 namespace lmo
 {
@@ -14,7 +15,7 @@ namespace lmo
 /// \param component connected component of each vertex
 /// \throw SolverError if there is no such offset
 void RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const std::vector<Index>& component, const MotionConstraints& motion, Points& moved);
+  const std::vector<Index>& component, const DisplacementConstraints& motion, Points& moved);
 }
 
 #endif

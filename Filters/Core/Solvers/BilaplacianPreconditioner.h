@@ -16,7 +16,7 @@ namespace lmo
 /// \tparam Inverse (K + R)^-1 or an approximation B: Apply(rightHandSide, solution, monitor) for B,
 /// ApplyTransposed() for B^T. M^-1 is then B^T Q^-1 B.
 template <typename Inverse>
-class SquaredPreconditioner
+class BilaplacianPreconditioner
 {
 public:
   static constexpr bool IsRowWise = false;
@@ -25,7 +25,7 @@ public:
   static constexpr double ReplacementRatio = 1e-1;
 
   /// \param matrix Q and the vertices left out
-  SquaredPreconditioner(const LeastSquaresProblem& problem,
+  BilaplacianPreconditioner(const LeastSquaresProblem& problem,
     std::shared_ptr<const ShiftedStiffness> matrix, std::shared_ptr<Inverse> inverse)
     : Matrix(std::move(matrix))
     , Factor(std::move(inverse))
@@ -37,7 +37,7 @@ public:
 
   /// Computes M^-1 residual.
   /// \throw Cancelled if the monitor says so.
-  void Prepare(const PackedPoints<float>& residual, Monitor& monitor)
+  void Prepare(const PackedPoints<float>& residual, ProgressMonitor& monitor)
   {
     this->Factor->Apply(residual, this->Intermediate, monitor);
     ParallelFor(this->Matrix->Size(),

@@ -5,26 +5,13 @@
 
 #include "Core/Base/ProgressMonitor.h"
 #include "Core/Solvers/JacobiPreconditioner.h"
+#include "Core/Solvers/SolverOptions.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace lmo
 {
-struct SolverOptions
-{
-  double tolerance = 1e-6;        ///< |b - A d| / |b| at which an iterative solver stops, in (0, 1)
-  Index maximumIterations = 5000; ///< > 0
-};
-
-struct Solution
-{
-  Points displacement;          ///< d = V' - V; no rows stand for 0
-  Index iterations = 0;         ///< 0 from a direct solver
-  double rightHandSideNorm = 0; ///< |b|
-  double relativeResidual = 1;  ///< |b - A d| / |b|, computed from the problem and d
-};
-
 /// Preconditioned conjugate gradients on x, y and z at once. Independent coordinates have step
 /// lengths of their own and share the stopping test. Search directions have the precision of
 /// Scalar; d and, from time to time, the residual are computed in double (residual replacement, van
@@ -38,7 +25,7 @@ class ConjugateGradient
 {
 public:
   /// Keeps references to the arguments.
-  ConjugateGradient(const LeastSquaresProblem& problem, PackedEquations<Scalar>& A,
+  ConjugateGradient(const LeastSquaresProblem& problem, NormalOperator<Scalar>& A,
     Preconditioner& M, const Subdomain& domain);
 
   /// Improves \a solution until it meets the tolerance, the
@@ -46,7 +33,8 @@ public:
   /// further iterations are predicted. Predictions are low where the residual falls ever slower.
   /// \throw Cancelled if the monitor says so; it is asked in every iteration, and more
   /// often where they take long.
-  void Run(const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution);
+  void Run(
+    const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution& solution);
 
 private:
   using Row = PackedRow<Scalar>;
@@ -62,7 +50,7 @@ private:
   double ReplaceResidual(const Points& d);
 
   /// Computes M^-1 r and its inner product with r.
-  void Precondition(Monitor& monitor);
+  void Precondition(ProgressMonitor& monitor);
 
   /// r -= alpha A p, and its inner product with M^-1 r if that needs no more than rows.
   /// \return the norm of r
@@ -79,7 +67,7 @@ private:
   }
 
   const LeastSquaresProblem& Problem;
-  PackedEquations<Scalar>& A;
+  NormalOperator<Scalar>& A;
   Preconditioner& M;
   const Subdomain& Domain;
   const bool IsCoupled; ///< the same in all processes that have vertices

@@ -29,7 +29,7 @@ inline double PredictIterations(const std::vector<double>& norms, double toleran
 
 template <typename Scalar, typename Preconditioner>
 ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(const LeastSquaresProblem& problem,
-  PackedEquations<Scalar>& A, Preconditioner& M, const Subdomain& domain)
+  NormalOperator<Scalar>& A, Preconditioner& M, const Subdomain& domain)
   : Problem(problem)
   , A(A)
   , M(M)
@@ -44,7 +44,7 @@ ConjugateGradient<Scalar, Preconditioner>::ConjugateGradient(const LeastSquaresP
 
 template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::Run(
-  const SolverOptions& options, Index affordable, Monitor& monitor, Solution& solution)
+  const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution& solution)
 {
   std::vector<double> norms{ solution.relativeResidual };
   this->Scale = solution.rightHandSideNorm;
@@ -113,7 +113,7 @@ double ConjugateGradient<Scalar, Preconditioner>::ReplaceResidual(const Points& 
 }
 
 template <typename Scalar, typename Preconditioner>
-void ConjugateGradient<Scalar, Preconditioner>::Precondition(Monitor& monitor)
+void ConjugateGradient<Scalar, Preconditioner>::Precondition(ProgressMonitor& monitor)
 {
   this->M.Prepare(this->Residual, monitor);
   const DotSum sum = ParallelSum(this->Problem.Size(), DotSum(),

@@ -22,7 +22,7 @@ namespace
 #ifdef LMO_USE_CHOLMOD
 using Factorisation = Eigen::CholmodSupernodalLLT<SparseMatrix, Eigen::Lower>;
 #else
-using Factorisation = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, Ordering>;
+using Factorisation = Eigen::SimplicialLDLT<SparseMatrix, Eigen::Lower, FillReducingOrdering>;
 #endif
 
 [[noreturn]] void ThrowSingular()
@@ -58,18 +58,18 @@ void CheckDensity(const LeastSquaresProblem& problem)
 
 /// Replaces the rows and columns of fixed vertices and of vertices that no term touches by the
 /// identity.
-void EliminateFixed(const MotionConstraints& motion, SparseMatrix& A)
+void EliminateFixed(const DisplacementConstraints& motion, SparseMatrix& A)
 {
   A.prune(
     [&](Index row, Index column, double)
     {
-      return row == column || (motion.freedom[row] != MotionConstraints::FIXED &&
-                                motion.freedom[column] != MotionConstraints::FIXED);
+      return row == column || (motion.freedom[row] != DisplacementConstraints::FIXED &&
+                                motion.freedom[column] != DisplacementConstraints::FIXED);
     });
   for (Index i = 0; i < A.rows(); ++i)
   {
     double& diagonal = A.coeffRef(i, i);
-    if (motion.freedom[i] == MotionConstraints::FIXED || diagonal == 0)
+    if (motion.freedom[i] == DisplacementConstraints::FIXED || diagonal == 0)
     {
       diagonal = 1;
     }
@@ -114,7 +114,7 @@ SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
 /// rows 3i, 3i + 1, 3i + 2.
 SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseMatrix& A)
 {
-  const MotionConstraints& motion = problem.motion;
+  const DisplacementConstraints& motion = problem.motion;
   const bool hasPlanes = problem.tangentPlaneNormals.rows() > 0;
   std::vector<Eigen::Triplet<double, Index>> entries;
   entries.reserve(9 * A.nonZeros());
@@ -196,9 +196,9 @@ Points FactoriseAndSolve(const LeastSquaresProblem& problem)
 }
 }
 
-Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor)
+Points SolveDirectly(const LeastSquaresProblem& problem, ProgressMonitor& monitor)
 {
-  return RunAside(monitor, [copy = std::make_shared<const LeastSquaresProblem>(problem)]
+  return RunInBackground(monitor, [copy = std::make_shared<const LeastSquaresProblem>(problem)]
     { return FactoriseAndSolve(*copy); });
 }
 }

@@ -17,7 +17,7 @@ SparseMatrix NormalMatrix(const LeastSquaresProblem& problem);
 /// once, or 3n x 3n where they are coupled.
 /// \throw SolverError if the matrix is singular or too dense.
 /// \throw Cancelled if the monitor says so.
-Points SolveDirectly(const LeastSquaresProblem& problem, Monitor& monitor);
+Points SolveDirectly(const LeastSquaresProblem& problem, ProgressMonitor& monitor);
 }
 
 #endif

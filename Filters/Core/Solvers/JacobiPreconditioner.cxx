@@ -20,16 +20,16 @@ JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& pr
     {
       const double a = diagonal[i];
       const auto freedom = problem.motion.freedom[i];
-      double inverse = freedom == MotionConstraints::FIXED ? 0 : 1 / a;
+      double inverse = freedom == DisplacementConstraints::FIXED ? 0 : 1 / a;
       if (hasPlanes)
       {
         const double w = problem.tangentPlaneWeight * problem.tangentPlaneWeight;
         const Vector3 normal = problem.tangentPlaneNormals.row(i);
-        const bool isFree = freedom == MotionConstraints::FREE;
+        const bool isFree = freedom == DisplacementConstraints::FREE;
         // Sherman-Morrison: (a I + w n n^T)^-1 = I / a - w / (a (a + w)) n n^T
         this->NormalFactor[i] = static_cast<Scalar>(isFree ? w / (a * (a + w)) : 0);
         this->Normals.col(i) << normal.transpose().array().template cast<Scalar>(), Scalar(0);
-        if (freedom == MotionConstraints::ALONG_LINE)
+        if (freedom == DisplacementConstraints::ALONG_LINE)
         {
           const double slope = normal.dot(problem.motion.axes.row(i));
           inverse = 1 / (a + w * slope * slope);

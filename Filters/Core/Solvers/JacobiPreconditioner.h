@@ -22,7 +22,7 @@ public:
 
   explicit JacobiPreconditioner(const LeastSquaresProblem& problem);
 
-  void Prepare(const PackedPoints<Scalar>&, Monitor&) {}
+  void Prepare(const PackedPoints<Scalar>&, ProgressMonitor&) {}
 
   /// Cheap to copy.
   class Rows

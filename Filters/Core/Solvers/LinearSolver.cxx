@@ -48,8 +48,8 @@ bool IsNoWorse(const LeastSquaresProblem& problem, const Points& d, const Points
 /// Goes on from the solution so far; keeps it if no better one is found.
 /// \param affordable as in ConjugateGradient::Run()
 template <typename Preconditioner, typename Scalar>
-void Iterate(PackedEquations<Scalar>& A, Preconditioner&& M, const SolverOptions& options,
-  Index affordable, Monitor& monitor, Solution& solution)
+void Iterate(NormalOperator<Scalar>& A, Preconditioner&& M, const SolverOptions& options,
+  Index affordable, ProgressMonitor& monitor, Solution& solution)
 {
   Solution next = solution;
   ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M, Subdomain())
@@ -70,7 +70,7 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
     [&](double& total, Index i)
     {
       const double rowWeight = WeightSum(problem.L, i) * std::sqrt(RowWeight(problem, i));
-      const bool isFree = problem.motion.freedom[i] != MotionConstraints::FIXED;
+      const bool isFree = problem.motion.freedom[i] != DisplacementConstraints::FIXED;
       total += isFree && problem.positionWeights[i] < rowWeight
                  ? problem.positionWeights[i] / rowWeight
                  : 1;
@@ -81,9 +81,9 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
 /// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
 /// \throw SolverError if K + R is singular to double precision.
 void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
-  Monitor& monitor, InverseCache& inverses, Solution& solution)
+  ProgressMonitor& monitor, PreconditionerCache& inverses, Solution& solution)
 {
-  PackedEquations<float> A(problem);
+  NormalOperator<float> A(problem);
   if (ExpectedJacobiIterations(problem) < AffordableJacobiIterations)
   {
     Iterate(A, JacobiPreconditioner<float>(problem), options, AffordableJacobiIterations, monitor,
@@ -96,7 +96,8 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   monitor.Report(0);
   const auto soft =
     std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness(), problem.softEdgeWeights);
-  Iterate(A, SquaredPreconditioner<Multigrid>(problem, soft, inverses.GetMultigrid(soft, monitor)),
+  Iterate(A,
+    BilaplacianPreconditioner<Multigrid>(problem, soft, inverses.GetMultigrid(soft, monitor)),
     options, AffordableMultigridIterations(problem.Size()), monitor, solution);
   if (IsFinished(solution, options))
   {
@@ -108,23 +109,24 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
                        ? std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness())
                        : soft;
   Iterate(A,
-    SquaredPreconditioner<StiffnessFactorisation>(
+    BilaplacianPreconditioner<ShiftedCholesky>(
       problem, exact, inverses.GetFactorisation(exact, monitor)),
     options, options.maximumIterations, monitor, solution);
 }
 
 /// Double precision reaches what single precision cannot represent, such as weights of 1e-25.
 void IterateInDouble(const LeastSquaresProblem& problem, const SolverOptions& options,
-  Monitor& monitor, Solution& solution)
+  ProgressMonitor& monitor, Solution& solution)
 {
-  PackedEquations<double> A(problem);
+  NormalOperator<double> A(problem);
   Iterate(A, JacobiPreconditioner<double>(problem), options, options.maximumIterations, monitor,
     solution);
 }
 
 /// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
 /// the caller sees its residual.
-void ImproveDirectly(const LeastSquaresProblem& problem, Monitor& monitor, Solution& solution)
+void ImproveDirectly(
+  const LeastSquaresProblem& problem, ProgressMonitor& monitor, Solution& solution)
 {
   try
   {
@@ -170,12 +172,12 @@ Solution Start(const LeastSquaresProblem& problem)
 }
 
 Solution SolveByDiagonal(
-  const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor)
+  const LeastSquaresProblem& problem, const SolverOptions& options, ProgressMonitor& monitor)
 {
   Solution solution = Start(problem);
   if (!IsFinished(solution, options))
   {
-    PackedEquations<float> A(problem);
+    NormalOperator<float> A(problem);
     Iterate(A, JacobiPreconditioner<float>(problem), options, options.maximumIterations, monitor,
       solution);
   }
@@ -187,7 +189,7 @@ Solution SolveByDiagonal(
 }
 
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-  Monitor& monitor, InverseCache& inverses)
+  ProgressMonitor& monitor, PreconditionerCache& inverses)
 {
   Solution solution = Start(problem);
   if (IsSolved(solution, options))

@@ -8,26 +8,16 @@
 
 namespace lmo
 {
-/// How to solve a least-squares problem. The iterative solution is that of conjugate gradients,
-/// whose preconditioner is chosen by how the residual falls: the diagonal, (K + R) Q (K + R) by
-/// multigrid, or the same by a factorisation of K + R.
-enum class SolverType
-{
-  AUTOMATIC, ///< iterative; direct if that does not reach the tolerance
-  DIRECT,
-  ITERATIVE
-};
-
 /// \param inverses from problems before, which may help
 /// \throw SolverError if a direct solution is asked for and the matrix is singular or too dense, or
 /// its solution is worse than no motion.
 /// \throw Cancelled if the monitor says so.
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
-  Monitor& monitor, InverseCache& inverses);
+  ProgressMonitor& monitor, PreconditionerCache& inverses);
 
 /// The same by conjugate gradients with the diagonal alone, for problems that are known to suit it.
 Solution SolveByDiagonal(
-  const LeastSquaresProblem& problem, const SolverOptions& options, Monitor& monitor);
+  const LeastSquaresProblem& problem, const SolverOptions& options, ProgressMonitor& monitor);
 }
 
 #endif

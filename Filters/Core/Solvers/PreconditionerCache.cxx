@@ -8,8 +8,8 @@
 
 namespace lmo
 {
-std::shared_ptr<Multigrid> InverseCache::GetMultigrid(
-  std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor)
+std::shared_ptr<Multigrid> PreconditionerCache::GetMultigrid(
+  std::shared_ptr<const ShiftedStiffness> matrix, ProgressMonitor& monitor)
 {
   if (!this->Hierarchy || !this->Hierarchy->GetMatrix().IsEqualTo(*matrix))
   {
@@ -20,14 +20,14 @@ std::shared_ptr<Multigrid> InverseCache::GetMultigrid(
   return this->Hierarchy;
 }
 
-std::shared_ptr<StiffnessFactorisation> InverseCache::GetFactorisation(
-  const std::shared_ptr<const ShiftedStiffness>& matrix, Monitor& monitor)
+std::shared_ptr<ShiftedCholesky> PreconditionerCache::GetFactorisation(
+  const std::shared_ptr<const ShiftedStiffness>& matrix, ProgressMonitor& monitor)
 {
   if (!this->Factorisation || !this->Factorisation->GetMatrix().IsEqualTo(*matrix))
   {
-    const std::shared_ptr<StiffnessFactorisation> previous = std::move(this->Factorisation);
-    this->Factorisation = RunAside(monitor, [matrix, previous]
-      { return std::make_shared<StiffnessFactorisation>(matrix, previous.get()); });
+    const std::shared_ptr<ShiftedCholesky> previous = std::move(this->Factorisation);
+    this->Factorisation = RunInBackground(monitor,
+      [matrix, previous] { return std::make_shared<ShiftedCholesky>(matrix, previous.get()); });
     ++this->NumberOfFactorisations;
     this->NumberOfOrders += !previous || previous->GetOrder() != this->Factorisation->GetOrder();
   }

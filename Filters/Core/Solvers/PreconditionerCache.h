@@ -10,17 +10,17 @@ namespace lmo
 {
 /// Inverses of K + R, kept for the next problem: the last of each kind is used again if the matrix
 /// is the same, and its order of the unknowns if the pattern is.
-class InverseCache
+class PreconditionerCache
 {
 public:
   /// \throw Cancelled if the monitor says so.
   std::shared_ptr<Multigrid> GetMultigrid(
-    std::shared_ptr<const ShiftedStiffness> matrix, Monitor& monitor);
+    std::shared_ptr<const ShiftedStiffness> matrix, ProgressMonitor& monitor);
 
   /// \throw SolverError if the matrix is singular.
   /// \throw Cancelled if the monitor says so.
-  std::shared_ptr<StiffnessFactorisation> GetFactorisation(
-    const std::shared_ptr<const ShiftedStiffness>& matrix, Monitor& monitor);
+  std::shared_ptr<ShiftedCholesky> GetFactorisation(
+    const std::shared_ptr<const ShiftedStiffness>& matrix, ProgressMonitor& monitor);
 
   /// How many have been made so far.
   int GetNumberOfHierarchies() const { return this->NumberOfHierarchies; }
@@ -29,7 +29,7 @@ public:
 
 private:
   std::shared_ptr<Multigrid> Hierarchy;
-  std::shared_ptr<StiffnessFactorisation> Factorisation;
+  std::shared_ptr<ShiftedCholesky> Factorisation;
   int NumberOfHierarchies = 0;
   int NumberOfFactorisations = 0;
   int NumberOfOrders = 0;
