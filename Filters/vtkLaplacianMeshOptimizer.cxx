@@ -58,7 +58,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
   options.computeNormals = this->Filter->ComputeNormals && hasNormals;
   options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
-  const std::unique_ptr<lmo::Monitor> monitor = this->Engine->MakeMonitor();
+  const std::unique_ptr<lmo::ProgressMonitor> monitor = this->Engine->MakeMonitor();
   monitor->Begin("Reading the mesh");
   this->Engine->SetInput(input);
   lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkMeshLaplacian.h"
 
-#include "Core/Curvature.h"
-#include "Core/MeshAnalysis.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/Curvature.h"
+#include "Core/Operators/MeshQuantities.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataOutput.h"
 
@@ -23,7 +23,7 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(lmo::MeshAnalysis& mesh, vtkPointData* pointData)
+void AddLaplacians(lmo::MeshQuantities& mesh, vtkPointData* pointData)
 {
   const lmo::Points& V = mesh.GetPoints();
   const lmo::MeshTopology& topology = mesh.GetTopology();
@@ -51,7 +51,7 @@ int vtkMeshLaplacian::RequestData(
     [&]
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
-      lmo::MeshAnalysis mesh(std::move(surface.points), std::move(surface.triangles));
+      lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
       mesh.SetRobustLaplacian(this->RobustLaplacian);
       output->ShallowCopy(input);
       AddLaplacians(mesh, output->GetPointData());

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceDeviation.h"
 
-#include "Core/Parallel.h"
-#include "Core/SurfaceSampler.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Base/Threading.h"
+#include "Core/Deviation/SurfaceSampler.h"
+#include "Core/Mesh/TriangleGeometry.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataOutput.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTriangleRadiusRatio.h"
 
-#include "Core/Quality.h"
+#include "Core/Mesh/TriangleQuality.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataOutput.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Communicator.h"
 
-#include "../Core/Exceptions.h"
+#include "Core/Base/Exceptions.h"
 
 #include <algorithm>
 #include <new>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedDirectSolver.h"
 
-#include "../Core/DirectSolver.h"
-#include "../Core/Exceptions.h"
+#include "Core/Base/Exceptions.h"
+#include "Core/Solvers/DirectSolver.h"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedDirectSolver_h
 #define lmo_DistributedDirectSolver_h
 
-#include "../Core/ConjugateGradient.h"
+#include "Core/Solvers/ConjugateGradient.h"
 #include "DistributedEquations.h"
 
 namespace lmo

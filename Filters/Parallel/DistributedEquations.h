@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedEquations_h
 #define lmo_DistributedEquations_h
 
-#include "../Core/Preconditioner.h"
+#include "Core/Solvers/JacobiPreconditioner.h"
 #include "DistributedMesh.h"
 
 namespace lmo
@@ -46,7 +46,7 @@ private:
 
   const LeastSquaresProblem& Problem;
   const DistributedMesh& Mesh;
-  PackedEquations<double> A;
+  NormalOperator<double> A;
   JacobiPreconditioner<double> Jacobi;
   PackedPoints<double> X;
   PackedPoints<double> Product;

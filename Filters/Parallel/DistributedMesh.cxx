@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedMesh.h"
 
-#include "../Core/Exceptions.h"
-#include "../Core/VertexOrder.h"
+#include "Core/Base/Exceptions.h"
+#include "Core/Mesh/VertexOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,14 +162,14 @@ void DistributedMesh::Connect(const Piece& piece, const std::vector<OwnedVertex>
 {
   const Index owned = this->Owned.Size();
   this->CopyPlaces = FindPlaces(this->Comm, copies, this->Owned, this->Numbers);
-  this->Copies = std::make_unique<VertexCopies>(this->Comm, owned, this->CopyPlaces);
+  this->Copies = std::make_unique<GhostVertices>(this->Comm, owned, this->CopyPlaces);
 
   std::vector<OwnedVertex> points(this->PiecePoints);
   for (Index i = 0; i < this->PiecePoints; ++i)
   {
     points[i] = { piece.ids[i], piece.owners[i] };
   }
-  this->PieceCopies = std::make_unique<VertexCopies>(
+  this->PieceCopies = std::make_unique<GhostVertices>(
     this->Comm, owned, FindPlaces(this->Comm, points, this->Owned, this->Numbers));
 
   this->FirstRows =

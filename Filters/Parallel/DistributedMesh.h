@@ -71,8 +71,8 @@ private:
   Index PiecePoints = 0;
   Points V;
   Triangles T;
-  std::unique_ptr<VertexCopies> Copies;      ///< the vertices that are not owned
-  std::unique_ptr<VertexCopies> PieceCopies; ///< the points of the piece
+  std::unique_ptr<GhostVertices> Copies;      ///< the vertices that are not owned
+  std::unique_ptr<GhostVertices> PieceCopies; ///< the points of the piece
 };
 
 template <typename Scalar>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedOptimizer.h"
 
-#include "DistributedSolver.h"
 #include "DistributedSubdomain.h"
+#include "PetscSolver.h"
 
 namespace lmo
 {
@@ -69,11 +69,12 @@ DistributedOptimizer::DistributedOptimizer(
   this->Vertices =
     std::make_unique<Optimizer>(this->Mesh->TakePoints(), std::move(vertexTriangles), subdomain,
       [subdomain](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& solver,
-        Monitor& monitor) { return SolveDistributed(problem, type, solver, monitor, *subdomain); });
+        ProgressMonitor& monitor)
+      { return SolveDistributed(problem, type, solver, monitor, *subdomain); });
 }
 
 OptimizerResult DistributedOptimizer::Run(
-  const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor)
+  const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   CheckOptions(options);
   if (!this->Mesh)

@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedOptimizer_h
 #define lmo_DistributedOptimizer_h
 
-#include "../Core/Optimizer.h"
+#include "Core/Optimizer/Optimizer.h"
 #include "DistributedMesh.h"
 
 namespace lmo
@@ -23,7 +23,7 @@ public:
   /// are those of the whole surface.
   /// \param arrays may lack in processes without points
   OptimizerResult Run(
-    const OptimizerOptions& options, const VertexArrays& arrays, Monitor& monitor);
+    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
 
 private:
   OptimizerResult ToPiece(OptimizerResult result) const;

@@ -3,13 +3,13 @@
 #ifndef lmo_DistributedRanking_h
 #define lmo_DistributedRanking_h
 
-#include "../Core/Types.h"
 #include "Communicator.h"
+#include "Core/Base/Types.h"
 
 namespace lmo
 {
-/// The functions of Core/Ranking.h for values >= 0 that are distributed over processes; exact, and
-/// the same in every process. Collective.
+/// The functions of Core/Mesh/EmpiricalDistribution.h for values >= 0 that are distributed over
+/// processes; exact, and the same in every process. Collective.
 double DistributedQuantile(const Communicator& comm, const std::vector<double>& values, double q);
 Vector DistributedShares(const Communicator& comm, const Vector& values, const Mask& counts);
 }

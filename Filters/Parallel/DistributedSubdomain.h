@@ -3,7 +3,7 @@
 #ifndef lmo_DistributedSubdomain_h
 #define lmo_DistributedSubdomain_h
 
-#include "../Core/Subdomain.h"
+#include "Core/Mesh/Subdomain.h"
 #include "DistributedMesh.h"
 
 namespace lmo

@@ -3,12 +3,12 @@
 #ifndef lmo_MultigridPreconditioner_h
 #define lmo_MultigridPreconditioner_h
 
-#include "../Core/ShiftedStiffness.h"
+#include "Core/Multigrid/ShiftedStiffness.h"
 #include "DistributedEquations.h"
 
 namespace lmo
 {
-/// M = (K + R) Q (K + R) as in SquaredPreconditioner, where a cycle of hypre's BoomerAMG, or
+/// M = (K + R) Q (K + R) as in BilaplacianPreconditioner, where a cycle of hypre's BoomerAMG, or
 /// another preconditioner chosen with the options -lmo_amg_..., stands for (K + R)^-1.
 class MultigridPreconditioner
 {

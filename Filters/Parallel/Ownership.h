@@ -3,7 +3,7 @@
 #ifndef lmo_Ownership_h
 #define lmo_Ownership_h
 
-#include "VertexCopies.h"
+#include "GhostVertices.h"
 
 namespace lmo
 {

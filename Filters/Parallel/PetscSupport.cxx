@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PetscSupport.h"
 
-#include "../Core/Exceptions.h"
+#include "Core/Base/Exceptions.h"
 
 namespace lmo
 {

@@ -137,7 +137,7 @@ public:
     }
   }
 
-  std::unique_ptr<lmo::Monitor> MakeMonitor() override
+  std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() override
   {
     if (!this->IsDistributed())
     {
@@ -175,7 +175,7 @@ public:
   }
 
   lmo::OptimizerResult Run(const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays,
-    lmo::Monitor& monitor) override
+    lmo::ProgressMonitor& monitor) override
   {
     return this->IsDistributed() ? this->Distributed->Run(options, arrays, monitor)
                                  : this->Engine::Run(options, arrays, monitor);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CellTriangulation.h"
 
-#include "../Core/Parallel.h"
+#include "Core/Base/Threading.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdList.h"

@@ -3,7 +3,7 @@
 #ifndef CellTriangulation_h
 #define CellTriangulation_h
 
-#include "../Core/Types.h"
+#include "Core/Base/Types.h"
 
 #include "vtkType.h"
 

@@ -3,8 +3,8 @@
 #ifndef FilterSupport_h
 #define FilterSupport_h
 
-#include "../Core/Monitor.h"
-#include "../Core/ThreadTeam.h"
+#include "Core/Base/ProgressMonitor.h"
+#include "Core/Base/ThreadPool.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataObject.h"
@@ -40,7 +40,7 @@ inline void KeepOutput(vtkAlgorithm* filter)
 }
 
 /// Passes progress to a filter's observers, and their wish to stop back.
-class FilterMonitor : public Monitor
+class FilterMonitor : public ProgressMonitor
 {
 public:
   explicit FilterMonitor(vtkAlgorithm* filter)
@@ -109,7 +109,7 @@ void RunOnThreads(const Body& body)
     {
       if (std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0)
       {
-        const ThreadTeam team(vtkSMPTools::GetEstimatedNumberOfThreads());
+        const ThreadPool team(vtkSMPTools::GetEstimatedNumberOfThreads());
         body();
         return;
       }

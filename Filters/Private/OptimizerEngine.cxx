@@ -29,7 +29,7 @@ void vtkLaplacianMeshOptimizer::Engine::Try(const std::function<void()>& body)
   body();
 }
 
-std::unique_ptr<lmo::Monitor> vtkLaplacianMeshOptimizer::Engine::MakeMonitor()
+std::unique_ptr<lmo::ProgressMonitor> vtkLaplacianMeshOptimizer::Engine::MakeMonitor()
 {
   return std::make_unique<lmo::FilterMonitor>(this->Filter);
 }
@@ -59,8 +59,8 @@ void vtkLaplacianMeshOptimizer::Engine::SetInput(vtkPolyData* input)
   }
 }
 
-lmo::OptimizerResult vtkLaplacianMeshOptimizer::Engine::Run(
-  const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays, lmo::Monitor& monitor)
+lmo::OptimizerResult vtkLaplacianMeshOptimizer::Engine::Run(const lmo::OptimizerOptions& options,
+  const lmo::VertexArrays& arrays, lmo::ProgressMonitor& monitor)
 {
   if (!arrays.regions)
   {

@@ -3,7 +3,7 @@
 #ifndef OptimizerEngine_h
 #define OptimizerEngine_h
 
-#include "../Core/Optimizer.h"
+#include "Core/Optimizer/Optimizer.h"
 #include "PolyDataConversion.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
@@ -28,15 +28,15 @@ public:
   /// \throw if body() does in this or another process
   virtual void Try(const std::function<void()>& body);
 
-  virtual std::unique_ptr<lmo::Monitor> MakeMonitor();
+  virtual std::unique_ptr<lmo::ProgressMonitor> MakeMonitor();
 
   /// \throw InputError as lmo::ReadMesh() does.
   virtual void SetInput(vtkPolyData* input);
 
   /// As lmo::Optimizer::Run(), with a row for each point and each triangle of the input; regions
   /// are those of the cells.
-  virtual lmo::OptimizerResult Run(
-    const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays, lmo::Monitor& monitor);
+  virtual lmo::OptimizerResult Run(const lmo::OptimizerOptions& options,
+    const lmo::VertexArrays& arrays, lmo::ProgressMonitor& monitor);
 
   const lmo::TriangleCells& GetTriangleCells() const { return this->TriangleCells; }
 

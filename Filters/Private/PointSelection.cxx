@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointSelection.h"
 
-#include "../Core/Exceptions.h"
+#include "Core/Base/Exceptions.h"
 
 #include "vtkDataArrayRange.h"
 #include "vtkDataSet.h"

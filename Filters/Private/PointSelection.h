@@ -3,7 +3,7 @@
 #ifndef PointSelection_h
 #define PointSelection_h
 
-#include "../Core/Types.h"
+#include "Core/Base/Types.h"
 
 class vtkPolyData;
 class vtkSelection;

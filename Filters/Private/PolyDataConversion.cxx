@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataConversion.h"
 
-#include "../Core/Exceptions.h"
-#include "../Core/Parallel.h"
-#include "../Core/Weights.h"
 #include "CellTriangulation.h"
+#include "Core/Base/Exceptions.h"
+#include "Core/Base/Threading.h"
+#include "Core/Operators/Weights.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"

@@ -3,7 +3,7 @@
 #ifndef PolyDataConversion_h
 #define PolyDataConversion_h
 
-#include "../Core/Types.h"
+#include "Core/Base/Types.h"
 
 #include "vtkType.h"
 

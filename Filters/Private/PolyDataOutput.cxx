@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PolyDataOutput.h"
 
-#include "../Core/Exceptions.h"
-#include "../Core/Parallel.h"
+#include "Core/Base/Exceptions.h"
+#include "Core/Base/Threading.h"
 
 #include "vtkArrayDispatch.h"
 #include "vtkCellData.h"

@@ -3,7 +3,7 @@
 #ifndef PolyDataOutput_h
 #define PolyDataOutput_h
 
-#include "../Core/Quality.h"
+#include "Core/Mesh/TriangleQuality.h"
 #include "PolyDataConversion.h"
 
 #include "vtkSmartPointer.h"

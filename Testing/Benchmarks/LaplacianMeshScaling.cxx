@@ -47,7 +47,7 @@ double ProcessorSeconds()
 }
 
 /// How long each stage takes.
-class StageTimes : public Monitor
+class StageTimes : public ProgressMonitor
 {
 public:
   double operator[](const std::string& stage) { return this->Times[stage]; }

@@ -1,66 +1,20 @@
-# Dependencies point one way: in Core a file includes, of this project, only headers from lines
-# above its own in this list. Of VTK, one header includes one header. The public headers show
-# neither Core nor Eigen.
+# Dependencies point one way. Core is divided into rooms, which are folders: a file includes, of this
+# project, only headers from its own room and from those that the list below allows, and no two
+# units of a room (a header and its source) need each other. Of VTK, one header includes one header.
+# The public headers show neither Core nor Eigen.
 #
 #   cmake -DFILTERS=<folder> -P CheckLayers.cmake
-set(layers
-  Types
-  Exceptions
-  Rounding
-  Monitor
-  ThreadTeam
-  RunAside
-  Parallel
-  MeshTopology
-  VertexOrder
-  TriangleNeighbours
-  TriangleGeometry
-  TriangleTree
-  ConvexityTest
-  TriangleCover
-  DistanceProofs
-  DependentProofs
-  Ranking
-  Features
-  FeatureDetection
-  Subdomain
-  Weights
-  IntrinsicTriangulation
-  Laplacian
-  RobustLaplacian
-  Quality
-  ShapeLimits
-  DeviationGuard
-  NormalFilter
-  Curvature
-  MeshAnalysis
-  SurfaceSampler
-  SurfaceComparison
-  LeastSquaresProblem
-  VolumePreservation
-  WorstTriangles
-  PackedStiffness
-  PackedEquations
-  Preconditioner
-  ShiftedStiffness
-  SparseProduct
-  PaddedRows
-  SmoothedAggregation
-  Ordering
-  Elimination
-  Multigrid
-  StiffnessFactorisation
-  InverseCache
-  SquaredPreconditioner
-  ConjugateGradient
-  GuidedSmoothing
-  DirectSolver
-  LinearSolver
-  OptimizerOptions
-  ProblemSetup
-  DeviationProblem
-  DeviationOptimizer
-  Optimizer)
+cmake_minimum_required(VERSION 3.20)
+set(rooms Base Mesh Operators Deviation LeastSquares Multigrid Solvers Optimizer)
+set(below_Base)
+set(below_Mesh Base)
+set(below_Operators Base Mesh)
+set(below_Deviation Base Mesh)
+set(below_LeastSquares Base Mesh Operators)
+set(below_Multigrid Base Mesh Operators LeastSquares)
+set(below_Solvers Base Mesh Operators LeastSquares Multigrid)
+set(below_Optimizer Base Mesh Operators Deviation LeastSquares Multigrid Solvers)
+set(largest_room 15) # units
 
 # Threads of our own are strangers to vtkSMPTools: what asks it who the calling thread is stands in
 # the files that know which thread that is.
@@ -68,7 +22,7 @@ function (check_thread_queries file)
   cmake_path(GET file FILENAME filename)
   file(STRINGS "${file}" queries
     REGEX "vtkSMPThreadLocal|GetEstimatedNumberOfThreads|IsParallelScope|GetSingleThread|LocalScope")
-  if (queries AND NOT filename MATCHES "^(Parallel|FilterSupport)\\.h$")
+  if (queries AND NOT filename MATCHES "^(Threading|FilterSupport)\\.h$")
     message(SEND_ERROR "${filename} asks vtkSMPTools about the calling thread: ${queries}")
   endif ()
 endfunction ()
@@ -80,28 +34,79 @@ function (read_includes file result)
   set("${result}" "${lines}" PARENT_SCOPE)
 endfunction ()
 
-function (check_core_file file)
-  cmake_path(GET file STEM name)
+# Adds the units of its own room that a file includes to the list needs_<unit>.
+function (check_core_file room file)
+  cmake_path(GET file STEM unit)
   cmake_path(GET file FILENAME filename)
-  list(FIND layers "${name}" layer)
-  if (layer EQUAL -1)
-    message(SEND_ERROR "Core/${filename} is in no layer")
-    return ()
-  endif ()
   read_includes("${file}" includes)
   foreach (include IN LISTS includes)
     cmake_path(GET include STEM included)
-    list(FIND layers "${included}" included_layer)
-    if (include MATCHES "^vtk" AND NOT (filename STREQUAL "Parallel.h" AND include STREQUAL "vtkSMPTools.h"))
-      message(SEND_ERROR "Core/${filename} includes VTK: ${include}")
-    elseif (include MATCHES "\\.h$" AND EXISTS "${FILTERS}/${include}")
-      message(SEND_ERROR "Core/${filename} includes a filter's header: ${include}")
-    elseif (include MATCHES "/" AND NOT include MATCHES "^Eigen/")
-      message(SEND_ERROR "Core/${filename} includes from outside Core: ${include}")
-    elseif (EXISTS "${FILTERS}/Core/${include}" AND NOT included STREQUAL name AND included_layer GREATER_EQUAL layer)
-      message(SEND_ERROR "Core/${filename} includes a higher layer: ${include}")
+    if (include MATCHES "^vtk")
+      if (NOT ("${room}/${filename}" STREQUAL "Base/Threading.h" AND include STREQUAL "vtkSMPTools.h"))
+        message(SEND_ERROR "Core/${room}/${filename} includes VTK: ${include}")
+      endif ()
+    elseif (include MATCHES "^Core/([A-Za-z]+)/[A-Za-z]+\\.(h|txx)$")
+      set(other "${CMAKE_MATCH_1}")
+      if (NOT EXISTS "${FILTERS}/${include}")
+        message(SEND_ERROR "Core/${room}/${filename} includes a file that does not exist: ${include}")
+      elseif (NOT other STREQUAL room AND NOT other IN_LIST below_${room})
+        message(SEND_ERROR "Core/${room}/${filename} includes a room that is not below its own: ${include}")
+      elseif (other STREQUAL room AND NOT included STREQUAL unit)
+        list(APPEND "needs_${unit}" "${included}")
+      endif ()
+    elseif (include MATCHES "^[A-Za-z]+/" AND NOT include MATCHES "^Eigen/")
+      message(SEND_ERROR "Core/${room}/${filename} includes from outside Core: ${include}")
+    elseif (include MATCHES "\\.(h|txx)$" AND EXISTS "${FILTERS}/${include}")
+      message(SEND_ERROR "Core/${room}/${filename} includes a filter's header: ${include}")
+    elseif (EXISTS "${FILTERS}/Core/${room}/${include}")
+      message(SEND_ERROR "Core/${room}/${filename} includes without the room's name: ${include}")
     endif ()
   endforeach ()
+  set("needs_${unit}" "${needs_${unit}}" PARENT_SCOPE)
+endfunction ()
+
+# Takes away units that need none of those that are left; what stays are cycles.
+function (check_cycles room units)
+  set(is_reduced TRUE)
+  while (is_reduced)
+    set(is_reduced FALSE)
+    foreach (unit IN LISTS units)
+      set(is_free TRUE)
+      foreach (needed IN LISTS "needs_${unit}")
+        if (needed IN_LIST units)
+          set(is_free FALSE)
+        endif ()
+      endforeach ()
+      if (is_free)
+        list(REMOVE_ITEM units "${unit}")
+        set(is_reduced TRUE)
+      endif ()
+    endforeach ()
+  endwhile ()
+  if (units)
+    message(SEND_ERROR "Core/${room} has a cycle of includes among ${units}")
+  endif ()
+endfunction ()
+
+function (check_room room)
+  file(GLOB files "${FILTERS}/Core/${room}/*")
+  set(units)
+  foreach (file IN LISTS files)
+    cmake_path(GET file STEM unit)
+    list(APPEND units "${unit}")
+    check_core_file("${room}" "${file}")
+  endforeach ()
+  list(REMOVE_DUPLICATES units)
+  list(LENGTH units count)
+  if (count EQUAL 0 OR count GREATER largest_room)
+    message(SEND_ERROR "Core/${room} has ${count} units, not 1 to ${largest_room}")
+  endif ()
+  foreach (unit IN LISTS units)
+    if (NOT EXISTS "${FILTERS}/Core/${room}/${unit}.h")
+      message(SEND_ERROR "Core/${room}/${unit} has no header")
+    endif ()
+  endforeach ()
+  check_cycles("${room}" "${units}")
 endfunction ()
 
 function (check_public_header file)
@@ -115,15 +120,14 @@ function (check_public_header file)
   endif ()
 endfunction ()
 
-file(GLOB core_files "${FILTERS}/Core/*")
-foreach (file IN LISTS core_files)
-  check_core_file("${file}")
+foreach (room IN LISTS rooms)
+  check_room("${room}")
 endforeach ()
-foreach (layer IN LISTS layers)
-  if (NOT EXISTS "${FILTERS}/Core/${layer}.h")
-    message(SEND_ERROR "the layer ${layer} has no header in Core")
-  endif ()
-endforeach ()
+file(GLOB folders RELATIVE "${FILTERS}/Core" "${FILTERS}/Core/*")
+list(REMOVE_ITEM folders ${rooms})
+if (folders)
+  message(SEND_ERROR "Core has files or folders that are no rooms: ${folders}")
+endif ()
 file(GLOB public_headers "${FILTERS}/vtk*.h")
 foreach (file IN LISTS public_headers)
   check_public_header("${file}")
@@ -132,8 +136,6 @@ file(GLOB_RECURSE all_files "${FILTERS}/*.h" "${FILTERS}/*.cxx" "${FILTERS}/*.tx
 foreach (file IN LISTS all_files)
   check_thread_queries("${file}")
 endforeach ()
-list(LENGTH core_files core_count)
-list(LENGTH public_headers public_count)
-if (core_count EQUAL 0 OR public_count EQUAL 0)
+if (NOT public_headers)
   message(SEND_ERROR "there is nothing to check in '${FILTERS}'")
 endif ()

@@ -3,9 +3,9 @@
 #ifndef RandomMeshes_h
 #define RandomMeshes_h
 
-#include "TestMeshes.h"
+#include "MeshFixtures.h"
 
-#include "Core/Optimizer.h"
+#include "Core/Optimizer/Optimizer.h"
 
 #include <functional>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/MeshAnalysis.h"
-#include "Core/ProblemSetup.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/MeshQuantities.h"
+#include "Core/Optimizer/ProblemSetup.h"
 
 #include <cmath>
 
@@ -35,7 +35,7 @@ std::vector<Index> BoundaryWithNeighbours(const TestMesh& mesh)
 /// Largest relative difference of kappa at the boundary from its value on the surface.
 double CurvatureError(const TestMesh& mesh, double expected, bool isRobust)
 {
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   analysis.SetRobustLaplacian(isRobust);
   const Vector values = analysis.GetMeanCurvatures()(BoundaryWithNeighbours(mesh));
   return LargestMagnitude(values.array() / expected - 1);
@@ -44,7 +44,7 @@ double CurvatureError(const TestMesh& mesh, double expected, bool isRobust)
 /// Largest distance of the vertex normals at the boundary from those of the surface.
 double NormalError(const TestMesh& mesh, const Points& expected)
 {
-  const Points normals = VertexNormals(mesh.V, mesh.T, *TestOperators(mesh).topology);
+  const Points normals = VertexNormals(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
   return MaximumDistance(normals(boundary, Eigen::indexing::all), expected(boundary, Eigen::indexing::all));
 }
@@ -52,7 +52,7 @@ double NormalError(const TestMesh& mesh, const Points& expected)
 /// Largest distance of kappa n at the boundary from that of the surface, relative to kappa.
 double CurvatureNormalError(const TestMesh& mesh, const Points& expected)
 {
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
   return MaximumDistance(analysis.GetMeanCurvatureNormals()(boundary, Eigen::indexing::all),
            expected(boundary, Eigen::indexing::all)) /
@@ -102,7 +102,7 @@ void CheckCylinder(Checks& c)
 void CheckWeights(Checks& c)
 {
   const TestMesh mesh = CylinderPatch(2);
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   Vector expected = Vector::Ones(169);
   expected[12] = expected[156] = 0;
   OptimizerOptions options;
@@ -124,7 +124,7 @@ void CheckFlatBorder(Checks& c)
   const TestMesh grid = Grid(6, 0.2);
   for (const bool isRobust : { false, true })
   {
-    MeshAnalysis analysis(grid.V, grid.T);
+    MeshQuantities analysis(grid.V, grid.T);
     analysis.SetRobustLaplacian(isRobust);
     c.Error("L_c V of a flat sheet is in its plane, also at the border",
       LargestMagnitude(Apply(analysis.GetLaplacian(LaplacianType::COTANGENT), grid.V).col(2)), 0);

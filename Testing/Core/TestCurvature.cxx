@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/Curvature.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/Curvature.h"
 
 #include <cmath>
 
@@ -24,7 +24,7 @@ struct Curvatures
 
 Curvatures Measure(const TestMesh& mesh)
 {
-  const TestOperators operators(mesh);
+  const OperatorFixtures operators(mesh);
   const MeshTopology& topology = *operators.topology;
   Curvatures result;
   result.normals = MeanCurvatureNormals(operators.meanCurvature, mesh.V, topology);
@@ -136,7 +136,7 @@ void CheckThreshold(Checks& c)
   normals.col(0) << 0.99e-6, 1.01e-6, 1, 0;
   normals /= diagonal;
   const Vector expected(Eigen::Vector4d(0, 1.01e-6, 1, 0) / diagonal);
-  const MeshTopology topology = *TestOperators(Tetrahedron()).topology;
+  const MeshTopology topology = *OperatorFixtures(Tetrahedron()).topology;
   c.Error("kappa below 1e-6 / diagonal is 0",
     LargestMagnitude(MeanCurvatures(normals, diagonal, topology) - expected), 0);
 }
@@ -153,7 +153,7 @@ void CheckBoundaryRule(Checks& c)
     BoundaryRuleError(mesh, curvatures.gaussian), 1e-14);
   c.Error(
     "a triangle alone has no curvature", LargestMagnitude(Measure(EquilateralTriangle()).mean), 0);
-  const Points vertexNormals = VertexNormals(mesh.V, mesh.T, *TestOperators(mesh).topology);
+  const Points vertexNormals = VertexNormals(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
   c.Error("the tangent plane at the boundary is that of the triangles",
     (curvatures.planeNormals.row(0) - vertexNormals.row(0)).norm(), 0);
 }

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
-#include "Core/DeviationGuard.h"
-#include "Core/Optimizer.h"
-#include "Core/TriangleCover.h"
-#include "Core/TriangleTree.h"
+#include "Core/Deviation/DeviationGuard.h"
+#include "Core/Deviation/OverlayBound.h"
+#include "Core/Mesh/TriangleBvh.h"
+#include "Core/Optimizer/Optimizer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -52,7 +52,7 @@ struct Outcome
   double relativeDistance = 0; ///< of the larger way
 };
 
-Outcome Run(const TestMesh& mesh, const OptimizerOptions& options, Monitor& monitor)
+Outcome Run(const TestMesh& mesh, const OptimizerOptions& options, ProgressMonitor& monitor)
 {
   Outcome outcome;
   outcome.result = Optimize(mesh.V, mesh.T, options, {}, monitor);
@@ -65,7 +65,7 @@ Outcome Run(const TestMesh& mesh, const OptimizerOptions& options, Monitor& moni
 
 Outcome Run(const TestMesh& mesh, const OptimizerOptions& options)
 {
-  Monitor monitor;
+  ProgressMonitor monitor;
   return Run(mesh, options, monitor);
 }
 
@@ -88,8 +88,8 @@ void CheckPromises(Checks& c, const std::string& name, const TestMesh& mesh, dou
 void CheckDistances(Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(2), 0.1);
-  Monitor monitor;
-  const TriangleTree tree(mesh.V, mesh.T, monitor);
+  ProgressMonitor monitor;
+  const TriangleBvh tree(mesh.V, mesh.T, monitor);
   Random random;
   double error = 0;
   for (int k = 0; k < 200; ++k)
@@ -123,7 +123,7 @@ void CheckSteps(Checks& c, const std::string& name, double growth)
   constexpr double distance = 0.1;
   const TestMesh square = Grid(10, 0);
   const MeshTopology topology = BuildTopology(static_cast<Index>(square.V.rows()), square.T);
-  Monitor monitor;
+  ProgressMonitor monitor;
   DeviationGuard guard(square.V, square.T, topology, distance, monitor);
   std::vector<Index> all(square.V.rows());
   std::iota(all.begin(), all.end(), 0);
@@ -182,7 +182,7 @@ void CheckPasses(Checks& c)
     OptimizerOptions options = WithinDeviation(0.02);
     options.deviation.passes = passes;
     options.deviation.improveWorstTriangles = false;
-    Monitor monitor;
+    ProgressMonitor monitor;
     const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
     loss = Larger(loss, previous - mean);
     previous = mean;
@@ -194,7 +194,7 @@ void CheckWorstTriangles(Checks& c)
 {
   const TestMesh globe = Globe(80, 80); // has thousands of triangles below the goals
   OptimizerOptions options = WithinDeviation(0.01);
-  Monitor monitor;
+  ProgressMonitor monitor;
   const double raised = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
   options.deviation.improveWorstTriangles = false;
   const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
@@ -204,7 +204,7 @@ void CheckWorstTriangles(Checks& c)
 void CheckCancel(Checks& c)
 {
   /// Asks to stop after some questions.
-  struct Impatient : Monitor
+  struct Impatient : ProgressMonitor
   {
     int Patience;
     explicit Impatient(int patience)

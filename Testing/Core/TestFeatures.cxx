@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/Features.h"
+#include "Core/Mesh/FeatureLines.h"
 
 #include <algorithm>
 #include <array>
@@ -78,7 +78,7 @@ void CheckClasses(Checks& c)
   c.Error("corners have no tangent", fork.tangents.row(2).norm(), 0);
 
   const TestMesh grid = Grid(4, 0.3);
-  const TestOperators operators(grid);
+  const OperatorFixtures operators(grid);
   const FeatureLines rim =
     ClassifyLines({ operators.topology, &operators.topology->boundaryEdges }, grid.V);
   c.True("a square has four corners",

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
 #include <cmath>
 
@@ -42,7 +42,7 @@ double CentroidError(const TestMesh& mesh)
       centroids.row(i) = mesh.V(neighbours[i], Eigen::indexing::all).colwise().mean();
     }
   }
-  return MaximumDistance(mesh.V + Apply(TestOperators(mesh).uniform, mesh.V), centroids);
+  return MaximumDistance(mesh.V + Apply(OperatorFixtures(mesh).uniform, mesh.V), centroids);
 }
 
 /// Maximum of |L f - expected| over the inner vertices.
@@ -67,8 +67,8 @@ double LinearPrecisionError(const TestMesh& mesh, const Laplacian& L)
 /// Change of L_c, and of L_ck times the square of the unit, with the unit.
 double UnitError(const TestMesh& mesh, double scale)
 {
-  const TestOperators before(mesh);
-  const TestOperators after(Transformed(mesh, scale));
+  const OperatorFixtures before(mesh);
+  const OperatorFixtures after(Transformed(mesh, scale));
   const Eigen::MatrixXd Lc = DenseMatrix(before.cotangent);
   const Eigen::MatrixXd Lk = DenseMatrix(before.meanCurvature);
   return Larger(LargestMagnitude(DenseMatrix(after.cotangent) - Lc) / LargestMagnitude(Lc),
@@ -79,8 +79,8 @@ double UnitError(const TestMesh& mesh, double scale)
 double OffsetError(const TestMesh& mesh)
 {
   const TestMesh moved = Transformed(mesh, 1, Vector3(1e8, -1e8, 1e8));
-  const TestOperators before(mesh);
-  const TestOperators after(moved);
+  const OperatorFixtures before(mesh);
+  const OperatorFixtures after(moved);
   return MaximumDistance(Apply(before.uniform, mesh.V), Apply(after.uniform, moved.V)) +
          MaximumDistance(Apply(before.cotangent, mesh.V), Apply(after.cotangent, moved.V)) +
          MaximumDistance(Apply(before.meanCurvature, mesh.V), Apply(after.meanCurvature, moved.V));
@@ -104,13 +104,13 @@ Eigen::MatrixXd CubeLaplacian()
 double CubeError(double scale)
 {
   return LargestMagnitude(
-    DenseMatrix(TestOperators(Transformed(Cube(), scale)).cotangent) - CubeLaplacian());
+    DenseMatrix(OperatorFixtures(Transformed(Cube(), scale)).cotangent) - CubeLaplacian());
 }
 
 void CheckHandDerivedEntries(Checks& c)
 {
   using Row = Eigen::Matrix<double, 1, 5>;
-  const TestOperators cross(CrossRing());
+  const OperatorFixtures cross(CrossRing());
   c.Error("L_u of the cross has 1/4 for each neighbour of the centre",
     LargestMagnitude(DenseMatrix(cross.uniform).row(0) - Row(-1, 0.25, 0.25, 0.25, 0.25)), 1e-15);
   c.Error("L_u of the cross has 1/3 for each neighbour at the rim",
@@ -125,7 +125,7 @@ void CheckHandDerivedEntries(Checks& c)
   c.Error("L_ck of the cross is the sum of its cotangents over 4 A",
     LargestMagnitude(DenseMatrix(cross.meanCurvature).row(0) - Row(-9, 1.5, 3, 3, 1.5) / 9), 1e-15);
   c.Error("a boundary edge has the cotangent of one angle",
-    std::abs(-StiffnessMatrix(TestOperators(EquilateralTriangle()).cotangent).coeff(0, 1) -
+    std::abs(-StiffnessMatrix(OperatorFixtures(EquilateralTriangle()).cotangent).coeff(0, 1) -
              1 / std::sqrt(3)),
     1e-15);
   c.Error("L_c of the cube is right", CubeError(1), 1e-15);
@@ -138,18 +138,19 @@ void CheckFlatMeshes(Checks& c)
   const TestMesh grid = Grid(10, 0.3);
   const TestMesh regular = Grid(6, 0);
   c.Error("L_c of a linear function is 0",
-    LinearPrecisionError(grid, TestOperators(grid).cotangent), 1e-13);
+    LinearPrecisionError(grid, OperatorFixtures(grid).cotangent), 1e-13);
   c.Error("L_ck of a linear function is 0",
-    LinearPrecisionError(grid, TestOperators(grid).meanCurvature), 1e-13);
+    LinearPrecisionError(grid, OperatorFixtures(grid).meanCurvature), 1e-13);
   c.Error("L_c V of a flat ring is 0",
-    Apply(TestOperators(CrossRing()).cotangent, CrossRing().V).row(0).norm(), 1e-15);
+    Apply(OperatorFixtures(CrossRing()).cotangent, CrossRing().V).row(0).norm(), 1e-15);
   c.Error("L_u V of a flat ring is not 0 but (1/4, -1/4)",
-    (Apply(TestOperators(CrossRing()).uniform, CrossRing().V).row(0) - Vector3(0.25, -0.25, 0))
+    (Apply(OperatorFixtures(CrossRing()).uniform, CrossRing().V).row(0) - Vector3(0.25, -0.25, 0))
       .norm(),
     1e-15);
   // Eqn. 7 is half the Laplace-Beltrami operator.
   c.Error("L_ck of x^2 + y^2 is 2",
-    InnerError(regular, TestOperators(regular).meanCurvature, regular.V.rowwise().squaredNorm(), 2),
+    InnerError(
+      regular, OperatorFixtures(regular).meanCurvature, regular.V.rowwise().squaredNorm(), 2),
     1e-13);
 }
 
@@ -158,11 +159,11 @@ void CheckDegenerateMeshes(Checks& c)
   TestMesh line = EquilateralTriangle();
   line.V << 0, 0, 0, 1, 0, 0, 2, 0, 0;
   c.Error("L_c of a triangle without area is empty",
-    LargestMagnitude(DenseMatrix(TestOperators(line).cotangent)), 0);
+    LargestMagnitude(DenseMatrix(OperatorFixtures(line).cotangent)), 0);
   c.Error("L_ck of a triangle without area is empty",
-    LargestMagnitude(DenseMatrix(TestOperators(line).meanCurvature)), 0);
+    LargestMagnitude(DenseMatrix(OperatorFixtures(line).meanCurvature)), 0);
   c.Error("L_u of an isolated point is empty",
-    LargestMagnitude(DenseMatrix(TestOperators(WithIsolatedPoint(Cube())).uniform).row(0)), 0);
+    LargestMagnitude(DenseMatrix(OperatorFixtures(WithIsolatedPoint(Cube())).uniform).row(0)), 0);
 }
 
 /// The soft edge weights of one triangle; null if there are none.
@@ -170,7 +171,7 @@ std::shared_ptr<const Vector> SoftWeights(const Vector3& a, const Vector3& b, co
 {
   TestMesh mesh = EquilateralTriangle();
   mesh.V << a, b, c;
-  return MeshAnalysis(mesh.V, mesh.T).GetSoftEdgeWeights();
+  return MeshQuantities(mesh.V, mesh.T).GetSoftEdgeWeights();
 }
 
 void CheckSoftWeights(Checks& c)
@@ -191,16 +192,17 @@ void CheckLengthScale(Checks& c)
   const TestMesh icosahedron = Icosphere(0, 3);
   const double edge = (icosahedron.V.row(0) - icosahedron.V.row(11)).norm();
   c.Error("the icosahedron's length scale is edge^2 / 2",
-    std::abs(SquaredLengthScale(TestOperators(icosahedron).meanCurvature) / (edge * edge / 2) - 1),
+    std::abs(
+      SquaredLengthScale(OperatorFixtures(icosahedron).meanCurvature) / (edge * edge / 2) - 1),
     1e-14);
   // Rows of three neighbours with 4 A / sum of cotangents 1, 2, 4, 100.
-  Laplacian L = TestOperators(Tetrahedron()).uniform;
+  Laplacian L = OperatorFixtures(Tetrahedron()).uniform;
   L.rowScale = Eigen::Vector4d(1.0 / 12, 1.0 / 3, 1.0 / 300, 1.0 / 6);
   c.Error("the length scale is the median", std::abs(SquaredLengthScale(L) - 3), 1e-14);
   L.rowScale[2] = 0;
   c.Error("empty rows do not count in it", std::abs(SquaredLengthScale(L) - 2), 1e-14);
   c.Error("no triangles have no length scale",
-    SquaredLengthScale(TestOperators({ Points::Zero(2, 3), Triangles(0, 3) }).meanCurvature), 0);
+    SquaredLengthScale(OperatorFixtures({ Points::Zero(2, 3), Triangles(0, 3) }).meanCurvature), 0);
 }
 }
 
@@ -209,7 +211,7 @@ int TestLaplacian(int, char*[])
   Checks c;
   for (const auto& [name, mesh] : AllTestMeshes())
   {
-    const TestOperators operators(mesh);
+    const OperatorFixtures operators(mesh);
     c.Error("L_u V + V is the ring's centroid: " + name, CentroidError(mesh), 1e-12);
     c.Error("cotangent weights are symmetric: " + name, Asymmetry(operators.cotangent), 1e-15);
     for (const Laplacian& L : { operators.uniform, operators.cotangent, operators.meanCurvature })

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
 #include <cmath>
 
@@ -83,7 +83,7 @@ void CheckMinimum(Checks& c)
       Run(mesh, Anchored(Mode::SMOOTH, 2), arrays).positions, ones),
     1e-14);
   c.Error("detail-preserving optimisation minimises Eqn. 10",
-    EnergyGain({ mesh, Apply(TestOperators(mesh).cotangent, mesh.V), Wp, ones },
+    EnergyGain({ mesh, Apply(OperatorFixtures(mesh).cotangent, mesh.V), Wp, ones },
       Run(mesh, Anchored(Mode::OPTIMIZE_TRIANGLES, 2), arrays).positions, ones),
     1e-14);
 }

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/Quality.h"
-#include "Core/Weights.h"
+#include "Core/Mesh/TriangleQuality.h"
+#include "Core/Operators/Weights.h"
 
 #include <cmath>
 
@@ -118,7 +118,7 @@ void CheckBoundaries(Checks& c)
 /// Motion of a mesh whose own Laplacians are prescribed.
 double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
 {
-  const TestOperators operators(mesh);
+  const OperatorFixtures operators(mesh);
   Laplacian L = operators.uniform;
   if (type == LaplacianType::COTANGENT)
   {
@@ -182,7 +182,7 @@ void CheckEffects(Checks& c)
   planes.tangentPlaneConstraints = true;
   planes.tangentPlaneWeight = 1e6;
   const Points d = Run(noisy, planes).positions - noisy.V;
-  const Points n = Apply(TestOperators(noisy).meanCurvature, noisy.V).rowwise().normalized();
+  const Points n = Apply(OperatorFixtures(noisy).meanCurvature, noisy.V).rowwise().normalized();
   c.True("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)) > 0.01);
   c.Error("strong tangent planes stop motion along the normal",
     LargestMagnitude((d.array() * n.array()).rowwise().sum()), 1e-10);
@@ -278,7 +278,7 @@ namespace
 void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
 {
   Optimizer optimizer(mesh.V, mesh.T);
-  Monitor monitor;
+  ProgressMonitor monitor;
   OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
   options.positionWeighting = PositionWeighting::CDF;
   optimizer.Run(options, {}, monitor);
@@ -300,7 +300,7 @@ void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
 /// Multigrid hierarchies, factorisations and orders of the unknowns made so far.
 std::vector<int> Counts(const Optimizer& optimizer)
 {
-  const InverseCache& inverses = optimizer.GetInverses();
+  const PreconditionerCache& inverses = optimizer.GetInverses();
   return { inverses.GetNumberOfHierarchies(), inverses.GetNumberOfFactorisations(),
     inverses.GetNumberOfOrders() };
 }
@@ -310,7 +310,7 @@ void CheckReuseOfInverses(Checks& c)
   OptimizerOptions options = Options(Mode::SMOOTH);
   options.scaleFactor = 0.003;
   options.solverType = SolverType::ITERATIVE;
-  Monitor monitor;
+  ProgressMonitor monitor;
   const TestMesh sphere = Irregular(Icosphere(5), 0.005);
   Optimizer smooth(sphere.V, sphere.T);
   smooth.Run(options, {}, monitor);

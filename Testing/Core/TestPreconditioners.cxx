@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/ConjugateGradient.h"
-#include "Core/DirectSolver.h"
-#include "Core/Elimination.h"
-#include "Core/InverseCache.h"
-#include "Core/ProblemSetup.h"
-#include "Core/SquaredPreconditioner.h"
+#include "Core/Multigrid/SchurElimination.h"
+#include "Core/Optimizer/ProblemSetup.h"
+#include "Core/Solvers/BilaplacianPreconditioner.h"
+#include "Core/Solvers/ConjugateGradient.h"
+#include "Core/Solvers/DirectSolver.h"
+#include "Core/Solvers/PreconditionerCache.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,15 +23,15 @@ namespace
 struct System
 {
   LeastSquaresProblem problem;
-  std::unique_ptr<PackedEquations<float>> A;
+  std::unique_ptr<NormalOperator<float>> A;
   std::shared_ptr<const ShiftedStiffness> matrix;
 
   System(const TestMesh& mesh, const OptimizerOptions& options)
   {
-    MeshAnalysis analysis(mesh.V, mesh.T);
+    MeshQuantities analysis(mesh.V, mesh.T);
     const auto boundary = SlidingLines(analysis, options, {});
     this->problem = SetUpProblem(analysis, options, {}, boundary);
-    this->A = std::make_unique<PackedEquations<float>>(this->problem);
+    this->A = std::make_unique<NormalOperator<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(
       this->problem, this->A->GetStiffness(), this->problem.softEdgeWeights);
   }
@@ -73,8 +73,8 @@ PackedPoints<float> Multiply(const ShiftedStiffness& matrix, const PackedPoints<
 template <typename Inverse>
 std::shared_ptr<Inverse> MakeInverse(const System& system)
 {
-  InverseCache inverses;
-  Monitor monitor;
+  PreconditionerCache inverses;
+  ProgressMonitor monitor;
   if constexpr (std::is_same_v<Inverse, Multigrid>)
   {
     return inverses.GetMultigrid(system.matrix, monitor);
@@ -93,7 +93,7 @@ double InverseError(const System& system)
   Random random;
   const PackedPoints<float> x = RandomVector(matrix, random);
   PackedPoints<float> result(4, matrix.Size());
-  Monitor monitor;
+  ProgressMonitor monitor;
   MakeInverse<Inverse>(system)->Apply(Multiply(matrix, x), result, monitor);
   const auto energy = [&](const PackedPoints<float>& y)
   { return std::sqrt((y * Multiply(matrix, y)).cast<double>().sum()); };
@@ -111,7 +111,7 @@ double Asymmetry(const System& system)
   PackedPoints<float> transposedMx(4, matrix.Size());
   PackedPoints<float> My(4, matrix.Size());
   const std::shared_ptr<Inverse> inverse = MakeInverse<Inverse>(system);
-  Monitor monitor;
+  ProgressMonitor monitor;
   inverse->ApplyTransposed(x, transposedMx, monitor);
   inverse->Apply(y, My, monitor);
   const double difference = ((x * My).cast<double>() - (y * transposedMx).cast<double>()).sum();
@@ -124,7 +124,7 @@ Solution Iterate(System& system, Preconditioner&& M, const SolverOptions& option
   Solution solution;
   solution.rightHandSideNorm =
     ComputeResidual(system.problem, solution.displacement, [](Index, const Vector3&) {});
-  Monitor monitor;
+  ProgressMonitor monitor;
   ConjugateGradient<float, Preconditioner>(system.problem, *system.A, M, Subdomain())
     .Run(options, options.maximumIterations, monitor, solution);
   return solution;
@@ -134,7 +134,7 @@ template <typename Inverse>
 Solution IterateSquared(System& system, const SolverOptions& options)
 {
   return Iterate(system,
-    SquaredPreconditioner<Inverse>(system.problem, system.matrix, MakeInverse<Inverse>(system)),
+    BilaplacianPreconditioner<Inverse>(system.problem, system.matrix, MakeInverse<Inverse>(system)),
     options);
 }
 
@@ -142,10 +142,8 @@ void CheckInverses(
   Checks& c, const std::string& name, const TestMesh& mesh, const OptimizerOptions& smoothing)
 {
   const System system(mesh, smoothing);
-  c.Error(
-    "the factorisation inverts K + R: " + name, InverseError<StiffnessFactorisation>(system), 1e-3);
-  c.Error(
-    "the factorisation is symmetric: " + name, Asymmetry<StiffnessFactorisation>(system), 1e-5);
+  c.Error("the factorisation inverts K + R: " + name, InverseError<ShiftedCholesky>(system), 1e-3);
+  c.Error("the factorisation is symmetric: " + name, Asymmetry<ShiftedCholesky>(system), 1e-5);
   c.Error("a multigrid cycle halves the error: " + name, InverseError<Multigrid>(system), 0.5);
   c.Error(
     "the transposed multigrid cycle is the transpose: " + name, Asymmetry<Multigrid>(system), 1e-5);
@@ -158,13 +156,13 @@ void CheckSolutions(Checks& c, const std::string& name, const OptimizerOptions& 
 {
   const TestMesh mesh = Irregular(HalfSphere(4), 0.005);
   System system(mesh, smoothing);
-  Monitor monitor;
+  ProgressMonitor monitor;
   const Points direct = SolveDirectly(system.problem, monitor);
   SolverOptions options;
   options.tolerance = 1e-9;
   options.maximumIterations = 5000;
   const Solution multigrid = IterateSquared<Multigrid>(system, options);
-  const Solution factorised = IterateSquared<StiffnessFactorisation>(system, options);
+  const Solution factorised = IterateSquared<ShiftedCholesky>(system, options);
   const Solution jacobi = Iterate(system, JacobiPreconditioner<float>(system.problem), options);
   c.Error("multigrid finds the direct solution: " + name,
     MaximumDistance(multigrid.displacement, direct), 1e-6);
@@ -190,14 +188,14 @@ void CheckNeedles(Checks& c)
   options.tolerance = 1e-9;
   options.maximumIterations = 1000;
   const Solution soft = IterateSquared<Multigrid>(system, options);
-  Monitor monitor;
+  ProgressMonitor monitor;
   c.Error("soft weights do not change the solution",
     MaximumDistance(soft.displacement, SolveDirectly(system.problem, monitor)), 1e-6);
-  const Solution softlyFactorised = IterateSquared<StiffnessFactorisation>(system, options);
+  const Solution softlyFactorised = IterateSquared<ShiftedCholesky>(system, options);
   system.matrix =
     std::make_shared<const ShiftedStiffness>(system.problem, system.A->GetStiffness());
   const Solution exact = IterateSquared<Multigrid>(system, options);
-  const Solution factorised = IterateSquared<StiffnessFactorisation>(system, options);
+  const Solution factorised = IterateSquared<ShiftedCholesky>(system, options);
   c.True("soft weights save multigrid a third of the iterations",
     3 * soft.iterations <= 2 * exact.iterations);
   c.True("exact weights save a factorisation a third of the iterations",
@@ -222,7 +220,7 @@ TestMesh SphereWithThinTriangles()
 }
 
 /// |S y - P^T (K + R) P y| / |S y| for a random y.
-double SchurComplementError(const ShiftedStiffness& matrix, const Elimination& elimination)
+double SchurComplementError(const ShiftedStiffness& matrix, const SchurElimination& elimination)
 {
   const SparseRows S = elimination.SchurComplement(matrix);
   Random random;
@@ -239,7 +237,7 @@ double SchurComplementError(const ShiftedStiffness& matrix, const Elimination& e
 void CheckElimination(Checks& c)
 {
   const System areas(SphereWithThinTriangles(), Smoothing(LaplacianType::MEAN_CURVATURE, 0.01));
-  const Elimination elimination(*areas.matrix);
+  const SchurElimination elimination(*areas.matrix);
   c.True("areas that differ make some unknowns be eliminated", !elimination.IsEmpty());
   c.Error("S is P^T (K + R) P", SchurComplementError(*areas.matrix, elimination), 1e-4);
   for (const LaplacianType type : { LaplacianType::UNIFORM, LaplacianType::COTANGENT })
@@ -247,7 +245,7 @@ void CheckElimination(Checks& c)
     const System system(SphereWithThinTriangles(), Smoothing(type, 0.01));
     c.True("nothing is eliminated where rows have a sum of 1: L " +
              std::to_string(static_cast<int>(type)),
-      Elimination(*system.matrix).IsEmpty());
+      SchurElimination(*system.matrix).IsEmpty());
   }
 }
 
@@ -258,7 +256,7 @@ void CheckThinTriangles(Checks& c)
   SolverOptions options;
   options.maximumIterations = 1000;
   const Solution multigrid = IterateSquared<Multigrid>(system, options);
-  const Solution factorised = IterateSquared<StiffnessFactorisation>(system, options);
+  const Solution factorised = IterateSquared<ShiftedCholesky>(system, options);
   c.True("multigrid and factorisation take few iterations on thin triangles",
     std::max(multigrid.iterations, factorised.iterations) <= 20);
   c.Error("multigrid reaches the tolerance", multigrid.relativeResidual, options.tolerance);

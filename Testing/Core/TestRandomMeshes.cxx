@@ -4,12 +4,12 @@
 // Properties of the solution on thousands of small meshes made from seeds. A failing property names
 // the seed, which alone repeats it:  lmoCoreTests TestRandomMeshes SEED
 #include "Checks.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 #include "RandomMeshes.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
 
-#include "Core/ProblemSetup.h"
-#include "Core/ThreadTeam.h"
+#include "Core/Base/ThreadPool.h"
+#include "Core/Optimizer/ProblemSetup.h"
 
 #include <Eigen/Geometry>
 
@@ -50,7 +50,7 @@ Sample MakeSample(unsigned seed)
 
 LeastSquaresProblem ProblemOf(const Sample& sample)
 {
-  MeshAnalysis mesh(sample.mesh.V, sample.mesh.T);
+  MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   mesh.SetRobustLaplacian(sample.options.robustLaplacian);
   return SetUpProblem(
     mesh, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
@@ -88,7 +88,7 @@ void CompareSolvers(
 
 void CheckSolution(const Sample& sample, const OptimizerResult& result, Findings& findings)
 {
-  const Mask isUsed = TestOperators(sample.mesh).topology->isUsed;
+  const Mask isUsed = OperatorFixtures(sample.mesh).topology->isUsed;
   const double s = sample.options.scaleFactor;
   const double largest = std::max(s, 1.01);
   findings.AddIf(!result.positions.allFinite(), "points are not finite");
@@ -139,7 +139,7 @@ std::string FaultsOf(unsigned seed)
   const OptimizerResult result = Run(sample.mesh, sample.options, sample.arrays);
   CheckSolution(sample, result, findings);
   {
-    const ThreadTeam team(3);
+    const ThreadPool team(3);
     findings.AddIf(Run(sample.mesh, sample.options, sample.arrays).positions != result.positions,
       "three threads give another result");
   }

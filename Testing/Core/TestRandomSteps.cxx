@@ -4,11 +4,11 @@
 // Properties of the modes with several steps on small meshes made from seeds. A failing property
 // names the seed, which alone repeats it:  lmoCoreTests TestRandomSteps SEED
 #include "Checks.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 #include "RandomMeshes.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
 
-#include "Core/ThreadTeam.h"
+#include "Core/Base/ThreadPool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +93,7 @@ void CheckDeviation(const Sample& sample, const OptimizerResult& result, Finding
   findings.AddIf(!(bound <= sample.options.deviation.maximum), "the deviation is too large");
   const TestMesh before = WithoutCollapsed(sample.mesh);
   const TestMesh after{ result.positions, before.T };
-  const MeshAnalysis mesh(sample.mesh.V, sample.mesh.T);
+  const MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   const double distance = (bound + 1e-12) * mesh.GetDiagonal();
   findings.AddIf(!IsWithin(after, before, distance), "the result is farther than the bound");
   findings.AddIf(!IsWithin(before, after, distance), "the input is farther than the bound");
@@ -121,7 +121,7 @@ std::string FaultsOf(unsigned seed)
   {
     findings.AddIf(!result.isConverged, "the solver has not converged");
   }
-  const ThreadTeam team(3);
+  const ThreadPool team(3);
   findings.AddIf(Run(sample.mesh, sample.options, sample.arrays).positions != result.positions,
     "three threads give another result");
   return findings.Text;

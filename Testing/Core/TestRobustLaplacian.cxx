@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/IntrinsicTriangulation.h"
-#include "Core/MeshAnalysis.h"
-#include "Core/RobustLaplacian.h"
+#include "Core/Operators/IntrinsicTriangulation.h"
+#include "Core/Operators/MeshQuantities.h"
+#include "Core/Operators/RobustLaplacian.h"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +88,7 @@ double MatrixError(const Laplacian& L, const Laplacian& expected)
 /// Difference from the operators of Eqns. 4 and 7.
 double PlainError(const TestMesh& mesh)
 {
-  const TestOperators plain(mesh);
+  const OperatorFixtures plain(mesh);
   const RobustOperators robust(mesh);
   return Larger(MatrixError(robust.cotangent, plain.cotangent),
     MatrixError(robust.meanCurvature, plain.meanCurvature));
@@ -223,7 +223,8 @@ void CheckKnownOperators(Checks& c)
   const TestMesh slivers = Slivers();
   c.Error(
     "L_c V of flat slivers is 0", DeepLaplacian(slivers, RobustOperators(slivers).cotangent), 1e-3);
-  c.True("Eqn. 4 has negative weights there", LeastWeight(TestOperators(slivers).cotangent) < -0.5);
+  c.True(
+    "Eqn. 4 has negative weights there", LeastWeight(OperatorFixtures(slivers).cotangent) < -0.5);
 }
 
 /// Each of three wings gives its own cotangents, as it does to Eqn. 4.
@@ -232,7 +233,7 @@ void CheckNonManifold(Checks& c)
   TestMesh fan = ThreeWings();
   c.Error("an edge of three acute triangles has the weights of Eqn. 4",
     LargestMagnitude(
-      DenseMatrix(RobustOperators(fan).cotangent) - DenseMatrix(TestOperators(fan).cotangent)),
+      DenseMatrix(RobustOperators(fan).cotangent) - DenseMatrix(OperatorFixtures(fan).cotangent)),
     1e-14);
   TestMesh shuffled = fan;
   shuffled.T.row(0).swap(shuffled.T.row(2));
@@ -249,7 +250,7 @@ void CheckNonManifold(Checks& c)
 void CheckAnalysis(Checks& c)
 {
   const TestMesh mesh = Slivers();
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   const Vector plain = analysis.GetMeanCurvatures();
   analysis.SetRobustLaplacian(true);
   c.True("the analysis has the robust weights",

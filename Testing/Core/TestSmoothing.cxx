@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
-#include "Core/NormalFilter.h"
-#include "Core/Optimizer.h"
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/NormalFilter.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Optimizer/Optimizer.h"
 
 #include <cmath>
 
@@ -25,7 +25,7 @@ OptimizerOptions Smoothing(double scaleFactor)
 
 Points Run(const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays = {})
 {
-  Monitor monitor;
+  ProgressMonitor monitor;
   return Optimize(mesh.V, mesh.T, options, arrays, monitor).positions;
 }
 
@@ -140,7 +140,7 @@ void CheckNormalFilter(Checks& c)
 {
   const TestMesh pyramid = DoublePyramid(3);
   const MeshTopology topology = BuildTopology(static_cast<Index>(pyramid.V.rows()), pyramid.T);
-  Monitor monitor;
+  ProgressMonitor monitor;
   const Points filtered = FilterNormals(pyramid.V, pyramid.T, topology, 5, 0.25, monitor);
   double error = 0;
   for (Index t = 0; t < pyramid.T.rows(); ++t)

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/ProblemSetup.h"
-#include "Core/ThreadTeam.h"
+#include "Core/Base/ThreadPool.h"
+#include "Core/Optimizer/ProblemSetup.h"
 
 #include "vtkSMPTools.h"
 
@@ -55,7 +55,7 @@ void CheckAgreement(Checks& c, BoundaryCondition boundary, const std::string& na
 /// |b - A d| / |b| of smoothing a closed mesh with L_u, from dense matrices.
 double TrueResidual(const TestMesh& mesh, const OptimizerResult& result)
 {
-  const Eigen::MatrixXd L = DenseMatrix(TestOperators(mesh).uniform);
+  const Eigen::MatrixXd L = DenseMatrix(OperatorFixtures(mesh).uniform);
   const Eigen::MatrixXd LtL = L.transpose() * L;
   const Points d = result.positions - mesh.V;
   const Points b = -LtL * mesh.V;
@@ -91,7 +91,7 @@ void CheckResiduals(Checks& c)
 }
 
 /// Remembers what is reported and stops after some reports.
-class Recorder : public Monitor
+class Recorder : public ProgressMonitor
 {
 public:
   explicit Recorder(std::size_t limit = SIZE_MAX)
@@ -157,7 +157,7 @@ void CheckSingularSystem(Checks& c)
 double EnergyOf(const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
   const Points& V)
 {
-  MeshAnalysis analysis(mesh.V, mesh.T);
+  MeshQuantities analysis(mesh.V, mesh.T);
   const LeastSquaresProblem problem = SetUpProblem(analysis, options, arrays, {});
   return Energy(problem, V - mesh.V);
 }
@@ -209,7 +209,7 @@ Points SolveOnThreads(
   vtkSMPTools::LocalScope(vtkSMPTools::Config(threads, backend, false),
     [&]
     {
-      const ThreadTeam team(threads);
+      const ThreadPool team(threads);
       positions = Run(mesh, Iterative(options, 1e-6)).positions;
     });
   return positions;

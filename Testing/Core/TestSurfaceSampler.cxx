@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
-#include "Core/SurfaceSampler.h"
+#include "Core/Deviation/SurfaceSampler.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
-#include "TestMeasures.h"
-#include "TestOperators.h"
+#include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
-#include "Core/TriangleGeometry.h"
+#include "Core/Mesh/TriangleGeometry.h"
 
 #include <cmath>
 
@@ -28,22 +28,22 @@ double CotangentError(const TestMesh& triangle, const Vector3& expected)
 
 double VoronoiAreaError(const TestMesh& mesh, const Vector& expected)
 {
-  return LargestMagnitude(TestOperators(mesh).voronoiAreas - expected);
+  return LargestMagnitude(OperatorFixtures(mesh).voronoiAreas - expected);
 }
 
 double VoronoiSumError(const TestMesh& mesh)
 {
-  return std::abs(TestOperators(mesh).voronoiAreas.sum() / SurfaceArea(mesh) - 1);
+  return std::abs(OperatorFixtures(mesh).voronoiAreas.sum() / SurfaceArea(mesh) - 1);
 }
 
 Vector Defects(const TestMesh& mesh)
 {
-  return AngleDefects(mesh.V, mesh.T, *TestOperators(mesh).topology);
+  return AngleDefects(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
 }
 
 Points Normals(const TestMesh& mesh)
 {
-  return VertexNormals(mesh.V, mesh.T, *TestOperators(mesh).topology);
+  return VertexNormals(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
 }
 
 double Volume(const TestMesh& mesh)
@@ -64,7 +64,7 @@ TestMesh InsideOut(TestMesh mesh)
 
 double Diagonal(const TestMesh& mesh)
 {
-  return BoundingBoxDiagonal(mesh.V, *TestOperators(mesh).topology);
+  return BoundingBoxDiagonal(mesh.V, *OperatorFixtures(mesh).topology);
 }
 
 void CheckCotangents(Checks& c)

@@ -3,7 +3,7 @@
 #ifndef FilterTesting_h
 #define FilterTesting_h
 
-#include "TestMeshes.h"
+#include "MeshFixtures.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ResultChecks.h"
 
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkPolyData.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 #include "FilterTesting.h"
-#include "TestMeasures.h"
+#include "MeshMeasures.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"

@@ -3,7 +3,7 @@
 #include "Checks.h"
 #include "ParallelTesting.h"
 
-#include "Core/Ranking.h"
+#include "Core/Mesh/EmpiricalDistribution.h"
 #include "Parallel/DistributedRanking.h"
 
 #include <algorithm>

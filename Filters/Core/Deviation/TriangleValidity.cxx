@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Deviation/TriangleValidity.h"
+
+#include "Core/Base/Threading.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Mesh/TriangleNeighbours.h"
+#include "Core/Mesh/TriangleQuality.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lmo
+{
+namespace
+{
+/// Least cosine of the angle between a triangle and the original surface at its centre.
+constexpr double LeastCosine = 0.3;
+
+/// Least cosine of the angle between two triangles with a common edge.
+constexpr double LeastCosineAtEdge = -0.5;
+
+/// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
+/// degenerate triangles turn it less than the triangle's own.
+Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& topology)
+{
+  const Points vertexNormals = VertexNormals(V, T, topology);
+  Points normals(T.rows(), 3);
+  ParallelFor(static_cast<Index>(T.rows()),
+    [&](Index t)
+    {
+      const Vector3 sum =
+        vertexNormals.row(T(t, 0)) + vertexNormals.row(T(t, 1)) + vertexNormals.row(T(t, 2));
+      normals.row(t) = sum.stableNormalized();
+    });
+  return normals;
+}
+
+/// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
+/// corners, without those of hubs, which hardly change.
+double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
+{
+  Vector3 sum = Vector3::Zero();
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index i = T(t, k);
+    if (!topology.IsHub(i))
+    {
+      sum += VertexNormal(V, T, topology, i);
+    }
+  }
+  return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
+}
+}
+
+TriangleValidity::TriangleValidity(const Points& admitted, const Points& candidate,
+  const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours)
+  : AdmittedPoints(admitted)
+  , CandidatePoints(candidate)
+  , T(triangles)
+  , Topology(topology)
+  , Neighbours(neighbours)
+  , ReferenceNormals(SmoothedNormals(admitted, triangles, topology))
+  , AdmittedNormals(triangles.rows(), 3)
+  , Normals(triangles.rows(), 3)
+  , AdmittedQuality(triangles.rows())
+  , Quality(triangles.rows())
+  , AdmittedCosine(triangles.rows())
+{
+  std::vector<Index> all(triangles.rows());
+  std::iota(all.begin(), all.end(), 0);
+  this->Update(all);
+  ParallelFor(static_cast<Index>(triangles.rows()), [this](Index t) { this->Admit(t, t); });
+}
+
+void TriangleValidity::Update(const std::vector<Index>& triangles)
+{
+  ParallelFor(static_cast<Index>(triangles.size()),
+    [&](Index k)
+    {
+      const Index t = triangles[k];
+      this->Normals.row(t) = ScaledNormal(this->CandidatePoints, this->T, t).stableNormalized();
+      this->Quality[t] = RadiusRatio(this->CandidatePoints.row(this->T(t, 0)),
+        this->CandidatePoints.row(this->T(t, 1)), this->CandidatePoints.row(this->T(t, 2)));
+    });
+}
+
+bool TriangleValidity::IsBad(Index t, double least) const
+{
+  return this->Quality[t] < std::min(least, this->AdmittedQuality[t]);
+}
+
+bool TriangleValidity::IsFolded(Index t) const
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index neighbour = this->Neighbours(t, k);
+    if (neighbour != NoNeighbour)
+    {
+      const double limit = std::min(
+        LeastCosineAtEdge, this->AdmittedNormals.row(t).dot(this->AdmittedNormals.row(neighbour)));
+      if (this->Normals.row(t).dot(this->Normals.row(neighbour)) < limit)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+bool TriangleValidity::FacesAllAround(Index t) const
+{
+  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+  const auto isAside = [&](Index corner)
+  { return this->Normals.row(corner / 3).dot(this->Normals.row(t)) < 0; };
+  for (int k = 0; k < 3; ++k)
+  {
+    const Index i = this->T(t, k);
+    if (!this->Topology.IsHub(i) && std::any_of(cornersAt.Begin(i), cornersAt.End(i), isAside))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool TriangleValidity::IsInverted(Index t) const
+{
+  if (this->FacesAllAround(t))
+  {
+    return false;
+  }
+  const double cosine = CosineToVertices(this->CandidatePoints, this->T, this->Topology, t);
+  return cosine < 0 && cosine < CosineToVertices(this->AdmittedPoints, this->T, this->Topology, t);
+}
+
+bool TriangleValidity::IsTurned(Index t, Index below) const
+{
+  return this->Normals.row(t).dot(this->ReferenceNormals.row(below)) <
+         std::min(LeastCosine, this->AdmittedCosine[t]);
+}
+
+void TriangleValidity::Admit(Index t, Index below)
+{
+  this->AdmittedNormals.row(t) = this->Normals.row(t);
+  this->AdmittedQuality[t] = this->Quality[t];
+  this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
+}
+
+void TriangleValidity::Reject()
+{
+  this->Normals = this->AdmittedNormals;
+  this->Quality = this->AdmittedQuality;
+}
+}

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_NormalOperator_h
+#define lmo_NormalOperator_h
+
+#include "Core/LeastSquares/EllpackStiffness.h"
+#include "Core/LeastSquares/LeastSquaresProblem.h"
+
+namespace lmo
+{
+/// Inner products of the columns x, y and z; the fourth is 0.
+using Dots = Eigen::Array4d;
+
+/// Sums inner products.
+struct DotSum
+{
+  Eigen::Array2d xy = Eigen::Array2d::Zero();
+  Eigen::Array2d zw = Eigen::Array2d::Zero();
+
+  template <typename Scalar>
+  void Add(const PackedRow<Scalar>& products)
+  {
+    this->xy += products.template head<2>().template cast<double>();
+    this->zw += products.template tail<2>().template cast<double>();
+  }
+
+  void operator+=(const DotSum& other)
+  {
+    this->xy += other.xy;
+    this->zw += other.zw;
+  }
+
+  Dots Get() const { return Dots(this->xy[0], this->xy[1], this->zw[0], this->zw[1]); }
+};
+
+/// The matrix A of a problem's normal equations, stored for speed. In single precision it serves to
+/// find search directions: residuals that decide are computed by Residual().
+template <typename Scalar>
+class NormalOperator
+{
+public:
+  /// Keeps a reference to \a problem.
+  explicit NormalOperator(const LeastSquaresProblem& problem);
+
+  Index Size() const { return this->Problem.Size(); }
+  const LeastSquaresProblem& GetProblem() const { return this->Problem; }
+  std::shared_ptr<const EllpackStiffness<Scalar>> GetStiffness() const { return this->K; }
+
+  /// product = A x, for x within the motion allowed.
+  /// \return the inner products of x and A x; three times their sum if the problem is coupled
+  Dots Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
+
+private:
+  /// Adds what is not K Q K + W_p^2 and projects on the motion allowed.
+  Dots FinishCoupled(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
+
+  const LeastSquaresProblem& Problem;
+  std::shared_ptr<const EllpackStiffness<Scalar>> K;
+  Eigen::Array<Scalar, Eigen::Dynamic, 1> Q;
+  Eigen::Array<Scalar, Eigen::Dynamic, 1> SquaredPositionWeights;
+  PackedPoints<Scalar> RowValues;
+};
+
+extern template class NormalOperator<float>;
+extern template class NormalOperator<double>;
+}
+
+#endif

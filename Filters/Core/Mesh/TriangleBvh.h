@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_TriangleBvh_h
+#define lmo_TriangleBvh_h
+
+#include "Core/Base/ProgressMonitor.h"
+#include "Core/Base/Types.h"
+
+#include <Eigen/Geometry>
+
+namespace lmo
+{
+/// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
+/// and refitted after motions. (VTK's locators and Eigen's KdBVH have to be built anew.)
+class TriangleBvh
+{
+public:
+  struct Hit
+  {
+    Index triangle = -1; ///< -1: there is none within the radius
+    double squaredDistance = 0;
+  };
+
+  /// Keeps references to the arguments. Triangles that name a vertex twice are left out.
+  /// \throw Cancelled if the monitor says so.
+  TriangleBvh(const Points& V, const Triangles& triangles, ProgressMonitor& monitor);
+
+  /// The same tree over vertices that may move on their own; keeps a reference to \a V.
+  TriangleBvh(const Points& V, const TriangleBvh& other);
+
+  /// Says that vertices have moved: Refit() has to follow before the next query.
+  void Invalidate() { this->IsCurrent = false; }
+
+  /// Adapts the boxes to the present positions.
+  void Refit();
+
+  /// The same if only these triangles have moved.
+  void Refit(const std::vector<Index>& triangles);
+
+  /// The triangle closest to x, if its distance is at most \a radius; any one whose distance is at
+  /// most a thousandth of that.
+  /// \param hint a triangle that is perhaps close, or -1
+  Hit FindClosest(const Vector3& x, double radius, Index hint = -1) const;
+
+  /// Of x to one triangle.
+  double SquaredDistance(Index triangle, const Vector3& x) const;
+
+private:
+  using Box = Eigen::AlignedBox3d;
+
+  Index Begin(Index leaf) const
+  {
+    return static_cast<Index>(std::int64_t(this->Order.size()) * leaf / this->Leaves);
+  }
+
+  /// Halves the triangles of these leaves along the longest axis of their centres.
+  void Halve(Index firstLeaf, Index leaves);
+
+  /// Halves until every leaf has its own.
+  void Sort(Index firstLeaf, Index leaves);
+
+  Box LeafBox(Index leaf) const;
+
+  /// Sets the box of a node to that of its children's.
+  void Merge(Index node);
+
+  void Try(Index triangle, const Vector3& x, Hit& best) const;
+
+  const Points& V;
+  const Triangles& T;
+  bool IsCurrent = false;
+  Index Leaves = 1;          ///< a power of two
+  std::vector<Index> Order;  ///< the triangles, those of a leaf side by side
+  std::vector<Index> LeafOf; ///< leaf of each triangle, or -1
+  std::vector<Box> Boxes;    ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
+};
+}
+
+#endif

@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/TriangleGeometry.h"
+
+#include "Core/Base/Threading.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+/// Edges that leave a corner, in counter-clockwise order.
+struct CornerEdges
+{
+  Vector3 next;
+  Vector3 previous;
+
+  CornerEdges(const Points& V, const Triangles& triangles, Index corner)
+    : next(V.row(triangles.data()[NextCorner(corner)]) - V.row(triangles.data()[corner]))
+    , previous(V.row(triangles.data()[PreviousCorner(corner)]) - V.row(triangles.data()[corner]))
+  {
+  }
+};
+
+/// Sum over the corners at vertex i of value(corner).
+template <typename Value>
+auto SumOverCorners(const MeshTopology& topology, Index i, const Value& value)
+{
+  std::decay_t<decltype(value(0))> sum{};
+  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  {
+    sum += value(*c);
+  }
+  return sum;
+}
+
+/// Share of a corner's triangle in the mixed Voronoi area of its vertex.
+double MixedVoronoiShare(
+  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index corner)
+{
+  const CornerEdges edges(V, triangles, corner);
+  const double here = cotangents.data()[corner];
+  const double next = cotangents.data()[NextCorner(corner)];
+  const double previous = cotangents.data()[PreviousCorner(corner)];
+  if (std::min({ here, next, previous }) < 0)
+  {
+    const double area = 0.5 * edges.next.cross(edges.previous).norm();
+    return here < 0 ? area / 2 : area / 4;
+  }
+  return (edges.next.squaredNorm() * previous + edges.previous.squaredNorm() * next) / 8;
+}
+}
+
+Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t)
+{
+  const CornerEdges edges(V, triangles, 3 * t);
+  return edges.next.cross(edges.previous);
+}
+
+// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision
+// Detection, 5.1.5).
+Vector3 ClosestPointOnTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  const Vector3 ab = b - a;
+  const Vector3 ac = c - a;
+  const Vector3 ax = x - a;
+  const double abax = ab.dot(ax);
+  const double acax = ac.dot(ax);
+  if (abax <= 0 && acax <= 0)
+  {
+    return a;
+  }
+  const Vector3 bx = x - b;
+  const double abbx = ab.dot(bx);
+  const double acbx = ac.dot(bx);
+  if (abbx >= 0 && acbx <= abbx)
+  {
+    return b;
+  }
+  const double weightOfC = abax * acbx - abbx * acax;
+  if (weightOfC <= 0 && abax >= 0 && abbx <= 0)
+  {
+    return abax > abbx ? Vector3(a + abax / (abax - abbx) * ab) : a;
+  }
+  const Vector3 cx = x - c;
+  const double abcx = ab.dot(cx);
+  const double accx = ac.dot(cx);
+  if (accx >= 0 && abcx <= accx)
+  {
+    return c;
+  }
+  const double weightOfB = abcx * acax - abax * accx;
+  if (weightOfB <= 0 && acax >= 0 && accx <= 0)
+  {
+    return acax > accx ? Vector3(a + acax / (acax - accx) * ac) : a;
+  }
+  const double weightOfA = abbx * accx - abcx * acbx;
+  const double towardsC = acbx - abbx;
+  const double towardsB = abcx - accx;
+  if (weightOfA <= 0 && towardsC >= 0 && towardsB >= 0)
+  {
+    const double sum = towardsC + towardsB;
+    return sum > 0 ? Vector3(b + towardsC / sum * (c - b)) : b;
+  }
+  return a + (weightOfB * ab + weightOfC * ac) / (weightOfA + weightOfB + weightOfC);
+}
+
+CornerValues Cotangents(const Points& V, const Triangles& triangles)
+{
+  CornerValues cotangents(triangles.rows(), 3);
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      const Vector3 ab = V.row(triangles(t, 1)) - V.row(triangles(t, 0));
+      const Vector3 bc = V.row(triangles(t, 2)) - V.row(triangles(t, 1));
+      const Vector3 ca = V.row(triangles(t, 0)) - V.row(triangles(t, 2));
+      const double sine = ab.cross(ca).norm();
+      const Vector3 cosines(-ab.dot(ca), -bc.dot(ab), -ca.dot(bc));
+      const double scale = sine > 0 ? 1 / sine : 0;
+      cotangents.row(t) = (cosines * scale).cwiseMax(-MaximumCotangent).cwiseMin(MaximumCotangent);
+    });
+  return cotangents;
+}
+
+Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+  const CornerValues& cotangents)
+{
+  Vector areas(V.rows());
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      areas[i] = SumOverCorners(topology, i,
+        [&](Index corner) { return MixedVoronoiShare(V, triangles, cotangents, corner); });
+    });
+  return areas;
+}
+
+Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopology& topology)
+{
+  Vector defects(V.rows());
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const double angles = SumOverCorners(topology, i,
+        [&](Index c)
+        {
+          const CornerEdges edges(V, triangles, c);
+          return std::atan2(
+            edges.next.cross(edges.previous).norm(), edges.next.dot(edges.previous));
+        });
+      defects[i] = topology.isUsed[i] ? 2 * Pi - angles : 0;
+    });
+  return defects;
+}
+
+Vector3 VertexNormal(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index i)
+{
+  Vector3 sum = Vector3::Zero();
+  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  {
+    const CornerEdges edges(V, triangles, *c);
+    sum += edges.next.cross(edges.previous);
+  }
+  const double length = sum.norm();
+  return length > 0 ? Vector3(sum / length) : Vector3(Vector3::Zero());
+}
+
+Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology)
+{
+  Points normals(V.rows(), 3);
+  ParallelFor(
+    topology.vertices, [&](Index i) { normals.row(i) = VertexNormal(V, triangles, topology, i); });
+  return normals;
+}
+
+double VolumeTo(const Vector3& point, const Points& V, const Triangles& triangles, Index t)
+{
+  const Vector3 a = V.row(triangles(t, 0)) - point;
+  const Vector3 b = V.row(triangles(t, 1)) - point;
+  const Vector3 c = V.row(triangles(t, 2)) - point;
+  return a.dot(b.cross(c)) / 6;
+}
+
+double EnclosedVolume(const Points& V, const Triangles& triangles)
+{
+  if (triangles.rows() == 0)
+  {
+    return 0;
+  }
+  const Vector3 origin = V.row(triangles(0, 0));
+  return ParallelSum(static_cast<Index>(triangles.rows()), 0.0,
+    [&](double& sum, Index t) { sum += VolumeTo(origin, V, triangles, t); });
+}
+
+Eigen::AlignedBox3d BoundingBox(const Points& V, const MeshTopology& topology)
+{
+  Eigen::AlignedBox3d box;
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    if (topology.isUsed[i])
+    {
+      box.extend(V.row(i).transpose());
+    }
+  }
+  return box;
+}
+
+double BoundingBoxDiagonal(const Points& V, const MeshTopology& topology)
+{
+  const Eigen::AlignedBox3d box = BoundingBox(V, topology);
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+}

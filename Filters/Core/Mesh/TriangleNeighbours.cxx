@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Mesh/TriangleNeighbours.h"
+
+#include "Core/Base/Threading.h"
+
+namespace lmo
+{
+namespace
+{
+/// The only triangle that runs along the edge from vertex i to j, else NoNeighbour; sought at the
+/// vertex with fewer triangles.
+Index TriangleAlong(const Triangles& triangles, const AdjacencyLists& cornersAt, Index i, Index j)
+{
+  const bool isAtStart = cornersAt.Size(i) <= cornersAt.Size(j);
+  const Index pivot = isAtStart ? i : j;
+  const Index other = isAtStart ? j : i;
+  Index found = NoNeighbour;
+  for (const Index* corner = cornersAt.Begin(pivot); corner != cornersAt.End(pivot); ++corner)
+  {
+    const Index beside = isAtStart ? NextCorner(*corner) : PreviousCorner(*corner);
+    if (triangles.data()[beside] == other)
+    {
+      if (found != NoNeighbour)
+      {
+        return NoNeighbour;
+      }
+      found = *corner / 3;
+    }
+  }
+  return found;
+}
+}
+
+Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology& topology)
+{
+  Triangles neighbours(triangles.rows(), 3);
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const Index from = triangles(t, k);
+        const Index to = triangles(t, (k + 1) % 3);
+        const Index here = TriangleAlong(triangles, topology.cornersAt, from, to);
+        const Index there = TriangleAlong(triangles, topology.cornersAt, to, from);
+        neighbours(t, k) = here == NoNeighbour ? NoNeighbour : there;
+      }
+    });
+  return neighbours;
+}
+}

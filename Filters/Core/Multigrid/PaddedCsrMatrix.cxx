@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Multigrid/PaddedCsrMatrix.h"
+
+#include "Core/Base/Threading.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+PaddedCsrMatrix::PaddedCsrMatrix(const SparseRows& matrix)
+  : Offsets(matrix.rows() + 1)
+{
+  const Index* const offsets = matrix.outerIndexPtr();
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    const Index entries = offsets[i + 1] - offsets[i];
+    this->Offsets[i + 1] = this->Offsets[i] + (entries + Unit - 1) / Unit * Unit;
+  }
+  this->Columns.resize(this->Offsets.back());
+  this->Values.resize(this->Offsets.back());
+  ParallelFor(this->Size(),
+    [&](Index i)
+    {
+      const Index first = this->Offsets[i];
+      std::copy(matrix.innerIndexPtr() + offsets[i], matrix.innerIndexPtr() + offsets[i + 1],
+        this->Columns.data() + first);
+      std::copy(matrix.valuePtr() + offsets[i], matrix.valuePtr() + offsets[i + 1],
+        this->Values.data() + first);
+    });
+}
+}

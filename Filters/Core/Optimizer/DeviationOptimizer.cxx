@@ -1,0 +1,305 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/DeviationOptimizer.h"
+
+#include "Core/Base/Rounding.h"
+#include "Core/Base/Threading.h"
+#include "Core/Deviation/DeviationGuard.h"
+#include "Core/Deviation/VertexPatternSearch.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Optimizer/DeviationProblem.h"
+#include "Core/Solvers/LinearSolver.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace lmo
+{
+namespace
+{
+constexpr double SolverTolerance = 1e-3; ///< the next pass corrects what is left
+constexpr double SmallestShare = 0.2;    ///< of a motion that is worth keeping
+constexpr double Hold = 1.3;             ///< factor of W_p where motion was taken back
+constexpr double Release = 0.7;          ///< and where it was not
+constexpr double OverRelaxation = 1.5;   ///< of the motion where none was taken back
+constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
+constexpr double Centring = 1.3;         ///< factor of that motion
+constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
+
+/// Of distances between points in this box.
+double RoundOff(const Eigen::AlignedBox3d& box)
+{
+  constexpr double factor = 8 * std::numeric_limits<double>::epsilon();
+  return box.isEmpty()
+           ? 0
+           : factor * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+/// Least t that a pass may give a triangle which had it, none below the least of the input.
+double LeastQuality(int pass, const MeshQuality& input)
+{
+  return std::max(pass < 2 ? 0.1 : 0.3, input.minimum);
+}
+
+double MeanOf(const Vector& quality)
+{
+  return quality.size() > 0 ? quality.mean() : 0;
+}
+
+class Passes
+{
+public:
+  Passes(MeshQuantities& mesh, const OptimizerOptions& options, const FeatureLines& features,
+    const DisplacementConstraints& motion, ProgressMonitor& monitor)
+    : Mesh(mesh)
+    , Options(options)
+    , Features(features)
+    , Distance(
+        std::max(options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
+    , Problem(SetUpTangentialProblem(mesh, motion))
+    , Adaption(Vector::Ones(mesh.GetPoints().rows()))
+    , Share(Vector::Zero(mesh.GetPoints().rows()))
+  {
+    monitor.Report(0);
+    this->SetPositionWeights();
+    monitor.Report(0);
+  }
+
+  void Run(ProgressMonitor& monitor, DeviationResult& result);
+
+private:
+  Index Size() const { return this->Mesh.GetTopology().vertices; }
+
+  void SetPositionWeights()
+  {
+    lmo::SetPositionWeights(
+      this->Mesh, this->Guard.GetAdmittedQuality(), this->Adaption, this->Problem);
+  }
+
+  /// The motion that Eqn. 11 proposes.
+  Solution Propose(ProgressMonitor& monitor);
+
+  /// Moves as far as the guard allows.
+  /// \return whether it allows any motion
+  bool Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor);
+
+  /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
+  /// far above the original surface as below it; 0 if there is distance left.
+  double CentreAt(Index i) const;
+
+  /// The closest position that the vertex may have.
+  Vector3 Place(Index i, const Vector3& position) const;
+
+  /// Halves the share of the vertices that are to blame for the failures.
+  /// \return these vertices
+  std::vector<Index> TakeBack(const std::vector<DeviationGuard::Failure>& failures);
+
+  Index CountRolledBack() const;
+
+  MeshQuantities& Mesh;
+  const OptimizerOptions& Options;
+  const FeatureLines& Features;
+  const double Distance; ///< allowed
+  DeviationGuard Guard;
+  LeastSquaresProblem Problem;
+  Vector Adaption; ///< factor of W_p
+  Vector Share;    ///< of the motion, 0 to 1
+};
+
+Solution Passes::Propose(ProgressMonitor& monitor)
+{
+  SetTargets(this->Mesh, this->Features, this->Guard.GetAdmitted(), this->Problem);
+  this->SetPositionWeights();
+  SolverOptions solver = this->Options.solver;
+  solver.tolerance = SolverTolerance;
+  Solution solution = SolveByDiagonal(this->Problem, solver, monitor);
+  ParallelFor(this->Size(),
+    [&](Index i)
+    {
+      solution.displacement.row(i) *= this->Share[i] == 1 ? OverRelaxation : 1;
+      if (this->Problem.motion.freedom[i] == DisplacementConstraints::IN_PLANE)
+      {
+        solution.displacement.row(i) +=
+          Centring * this->CentreAt(i) * this->Problem.motion.axes.row(i);
+      }
+    });
+  return solution;
+}
+
+double Passes::CentreAt(Index i) const
+{
+  const AdjacencyLists& cornersAt = this->Mesh.GetTopology().cornersAt;
+  HeightRange heights;
+  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  {
+    heights.Add(this->Guard.GetHeights(*corner / 3));
+  }
+  return heights.Largest() > CentringShare * this->Distance ? heights.Centre() : 0;
+}
+
+Vector3 Passes::Place(Index i, const Vector3& position) const
+{
+  const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
+                           ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
+                           : position;
+  return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
+}
+
+std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& failures)
+{
+  const Triangles& T = this->Mesh.GetTriangles();
+  Mask isBlamed(this->Size(), false);
+  const auto blame = [&](Index t)
+  {
+    bool isMoving = false;
+    for (const Index i : { T(t, 0), T(t, 1), T(t, 2) })
+    {
+      isBlamed[i] = true;
+      isMoving = isMoving || this->Share[i] > 0;
+    }
+    return isMoving;
+  };
+  for (const DeviationGuard::Failure& failure : failures)
+  {
+    if (!blame(failure.close))
+    {
+      std::for_each(failure.others.begin(), failure.others.end(), blame);
+    }
+  }
+  std::vector<Index> vertices;
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    if (isBlamed[i] && this->Share[i] > 0)
+    {
+      this->Share[i] /= 2;
+      if (this->Share[i] < SmallestShare)
+      {
+        this->Share[i] = 0;
+      }
+      this->Adaption[i] *= Hold;
+      vertices.push_back(i);
+    }
+  }
+  return vertices;
+}
+
+bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor)
+{
+  std::vector<Index> moving;
+  this->Share = Vector::Zero(this->Size());
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    if (this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED)
+    {
+      this->Share[i] = 1;
+      moving.push_back(i);
+    }
+  }
+  for (;;)
+  {
+    monitor.Report(0);
+    ParallelFor(static_cast<Index>(moving.size()),
+      [&](Index k)
+      {
+        const Index i = moving[k];
+        const Vector3 start = this->Guard.GetAdmitted().row(i);
+        const double share = this->Share[i];
+        this->Guard.Move(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
+      });
+    const auto failures = this->Guard.Check(moving, leastQuality, monitor);
+    if (failures.empty())
+    {
+      break;
+    }
+    moving = this->TakeBack(failures);
+    if (moving.empty())
+    {
+      this->Guard.Reject();
+      return false;
+    }
+  }
+  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAdmittedQuality()))
+  {
+    this->Guard.Reject(); // the weights that have grown make the next proposal another one
+    return true;
+  }
+  this->Guard.Admit();
+  ParallelFor(
+    this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
+  return true;
+}
+
+Index Passes::CountRolledBack() const
+{
+  Index count = 0;
+  for (Index i = 0; i < this->Size(); ++i)
+  {
+    count +=
+      this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED && this->Share[i] < 1;
+  }
+  return count;
+}
+
+void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
+{
+  const int passes = this->Options.deviation.passes;
+  try
+  {
+    for (int pass = 0; pass < passes; ++pass)
+    {
+      PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
+      const Solution solution = this->Propose(part);
+      result.iterations += solution.iterations;
+      result.relativeResidual = solution.relativeResidual;
+      const double before = MeanOf(this->Guard.GetAdmittedQuality());
+      if (!this->Settle(
+            solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
+      {
+        break;
+      }
+      ++result.report.passes;
+      result.report.rolledBack = this->CountRolledBack();
+      const double after = MeanOf(this->Guard.GetAdmittedQuality());
+      if (pass > 1 && after > before && after < before + SmallestGain)
+      {
+        break;
+      }
+    }
+    if (this->Options.deviation.improveWorstTriangles)
+    {
+      ImproveWorstTriangles(
+        this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.motion,
+        [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
+    }
+  }
+  catch (const Cancelled&)
+  {
+    result.isCancelled = true;
+  }
+  result.positions = this->Guard.GetAdmitted();
+  const double diagonal = this->Mesh.GetDiagonal();
+  const double bound = this->Guard.GetBound();
+  result.report.relativeBound = bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
+  result.positionWeights = std::move(this->Problem.positionWeights);
+  result.laplacianWeights = std::move(this->Problem.laplacianWeights);
+}
+}
+
+DeviationResult OptimizeWithinDeviation(MeshQuantities& mesh, const OptimizerOptions& options,
+  const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor)
+{
+  DeviationResult result;
+  try
+  {
+    Passes(mesh, options, features, motion, monitor).Run(monitor, result);
+  }
+  catch (const Cancelled&)
+  {
+    result.positions = mesh.GetPoints();
+    result.positionWeights = result.laplacianWeights = Vector::Zero(mesh.GetPoints().rows());
+    result.isCancelled = true;
+  }
+  return result;
+}
+}

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/DeviationProblem.h"
+
+#include "Core/Base/Threading.h"
+#include "Core/Mesh/TriangleGeometry.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+namespace
+{
+constexpr double PositionScale = 0.05; ///< s
+constexpr double LeastPositionWeight = 1e-4;
+constexpr double GoodQuality = 0.5; ///< t from which a vertex is held with its full weight
+
+/// Hubs and their neighbours stay: thousands of triangles that meet in a point are close to each
+/// other everywhere, and the guard would compare all of them.
+void HoldHubs(const MeshTopology& topology, Mask& freedom)
+{
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    if (topology.IsHub(i))
+    {
+      freedom[i] = DisplacementConstraints::FIXED;
+      std::for_each(topology.oneRings.Begin(i), topology.oneRings.End(i),
+        [&](Index j) { freedom[j] = DisplacementConstraints::FIXED; });
+    }
+  }
+}
+}
+
+LeastSquaresProblem SetUpTangentialProblem(
+  MeshQuantities& mesh, const DisplacementConstraints& motion)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  LeastSquaresProblem problem;
+  problem.L = mesh.GetLaplacian(LaplacianType::UNIFORM);
+  problem.laplacianWeights = Vector::Zero(topology.vertices);
+  problem.motion = motion;
+  HoldHubs(topology, problem.motion.freedom);
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    auto& freedom = problem.motion.freedom[i];
+    if (freedom == DisplacementConstraints::FREE)
+    {
+      problem.laplacianWeights[i] = 1;
+      freedom = DisplacementConstraints::IN_PLANE;
+    }
+  }
+  return problem;
+}
+
+void SetTargets(
+  MeshQuantities& mesh, const FeatureLines& features, const Points& V, LeastSquaresProblem& problem)
+{
+  DisplacementConstraints& motion = problem.motion;
+  motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
+  problem.lineRows.clear();
+  ForEachLineVertex(features,
+    [&](Index i, Index previous, Index next)
+    {
+      const Vector3 tangent = (V.row(next) - V.row(previous)).stableNormalized();
+      motion.axes.row(i) = tangent;
+      if (motion.freedom[i] == DisplacementConstraints::ALONG_LINE)
+      {
+        const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+        problem.lineRows.push_back({ i, previous, next, 1, -laplacian.dot(tangent) * tangent });
+      }
+    });
+  auto target = std::make_shared<Points>(mesh.GetTopology().vertices, 3);
+  ParallelFor(mesh.GetTopology().vertices,
+    [&](Index i)
+    {
+      // c = f - L_u V with f = n n^T L_u V
+      const Vector3 laplacian = -problem.L.rowScale[i] * StiffnessRow(problem.L, V, i);
+      const Vector3 normal = motion.axes.row(i);
+      target->row(i) = laplacian.dot(normal) * normal - laplacian;
+    });
+  problem.target = std::move(target);
+}
+
+void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, const Vector& adaption,
+  LeastSquaresProblem& problem)
+{
+  const Index size = mesh.GetTopology().vertices;
+  const Vector& cumulative = mesh.GetCumulativeWeights();
+  const Vector quality = MinimumAtVertices(triangleQuality, mesh.GetTriangles(), size);
+  problem.positionWeights.resize(size);
+  ParallelFor(size,
+    [&](Index i)
+    {
+      const double shape = std::min(1.0, quality[i] / GoodQuality);
+      problem.positionWeights[i] =
+        std::max(LeastPositionWeight, PositionScale * cumulative[i] * adaption[i] * shape);
+    });
+}
+}

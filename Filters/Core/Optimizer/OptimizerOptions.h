@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_OptimizerOptions_h
+#define lmo_OptimizerOptions_h
+
+#include "Core/Operators/Laplacian.h"
+#include "Core/Solvers/SolverOptions.h"
+
+#include <optional>
+
+namespace lmo
+{
+/// Section 4: what L and f are.
+enum class Mode
+{
+  OPTIMIZE_TRIANGLES,        ///< L = L_u, f = delta_c (section 5)
+  SMOOTH,                    ///< f = 0 (section 6)
+  PRESCRIBED_LAPLACIANS,     ///< f from the user
+  OPTIMIZE_WITHIN_DEVIATION, ///< passes of the first, within an error
+  SMOOTH_GUIDED              ///< the triangles follow filtered normals
+};
+
+enum class PositionWeighting
+{
+  CONSTANT,
+  LINEAR,
+  CDF,
+  ANCHORS,
+  ARRAY
+};
+
+enum class LaplacianWeighting
+{
+  CONSTANT,
+  LINEAR_COMPLEMENT,
+  CDF_COMPLEMENT,
+  GAUSSIAN,
+  ARRAY
+};
+
+enum class BoundaryCondition
+{
+  FIXED,   ///< no motion, no Laplacian row
+  SLIDING, ///< along the boundary curve, with a Laplacian row of the curve
+  FREE     ///< as inner vertices
+};
+
+/// Mode::OPTIMIZE_WITHIN_DEVIATION.
+struct DeviationOptions
+{
+  double maximum = 0.002; ///< two-sided Hausdorff distance, divided by the bounding-box diagonal
+  int passes = 5;
+  bool improveWorstTriangles = true;
+};
+
+/// Mode::SMOOTH_GUIDED.
+struct GuideOptions
+{
+  int normalIterations = 10;
+  double normalWidth = 0.25;
+  double detailWeight = 0.3;
+};
+
+/// The properties of vtkLaplacianMeshOptimizer; see there for meaning and ranges.
+struct OptimizerOptions
+{
+  Mode mode = Mode::OPTIMIZE_TRIANGLES;
+  LaplacianType laplacianType = LaplacianType::UNIFORM;
+  bool robustLaplacian = false;
+  PositionWeighting positionWeighting = PositionWeighting::CDF;
+  double scaleFactor = 1;
+  LaplacianWeighting laplacianWeighting = LaplacianWeighting::CONSTANT;
+  double gaussianWidth = 0.5;
+  bool modulateByTriangleQuality = false;
+  bool tangentPlaneConstraints = false;
+  double tangentPlaneWeight = 1;
+  BoundaryCondition boundaryCondition = BoundaryCondition::FIXED;
+  SolverType solverType = SolverType::AUTOMATIC;
+  SolverOptions solver;
+  DeviationOptions deviation;
+  GuideOptions guide;
+  bool featureConstraints = false;
+  bool detectFeatures = true;
+  double featureAngle = 40; ///< degrees
+  bool preserveVolume = false;
+  bool twicing = false;
+  bool computeNormals = false; ///< fill OptimizerResult::normals
+  bool roundToFloat = false;   ///< round V' as the caller will, so that all figures fit it
+};
+
+/// Values that the user may give for each vertex, and one for each triangle.
+struct VertexArrays
+{
+  std::optional<Vector> positionWeights;      ///< W_p or anchors, from 0 to LargestWeight
+  std::optional<Vector> laplacianWeights;     ///< W_L, from 0 to LargestWeight
+  std::optional<Points> prescribedLaplacians; ///< f
+  std::optional<Vector> fixedPoints;          ///< not 0: does not move
+  std::optional<Vector> featurePoints;        ///< not 0: on a feature line or corner
+  std::optional<Vector> regions; ///< of each triangle; feature lines are between different ones
+};
+}
+
+#endif

@@ -1,0 +1,274 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/ProblemSetup.h"
+
+#include "Core/Base/Exceptions.h"
+#include "Core/Base/Threading.h"
+#include "Core/Mesh/FeatureDetection.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/Curvature.h"
+
+namespace lmo
+{
+namespace
+{
+/// The array that the user has to give.
+/// \throw InputError if it is missing.
+template <typename Values>
+const Values& Require(
+  const MeshQuantities& mesh, const std::optional<Values>& array, const char* what)
+{
+  static const Values none;
+  if (!array && mesh.GetPoints().rows() == 0)
+  {
+    return none; // an empty piece has no arrays
+  }
+  if (!array)
+  {
+    throw InputError(
+      std::string(what) + ", and none is chosen. Choose one, or another scheme or mode.");
+  }
+  return *array;
+}
+
+/// Sections 5 and 6: the diagonal of W_p before W_t.
+Vector SchemePositionWeights(
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const char* const needed = "The position weighting needs a point array";
+  const double s = options.scaleFactor;
+  switch (options.positionWeighting)
+  {
+    case PositionWeighting::LINEAR:
+      return s * LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics());
+    case PositionWeighting::CDF:
+      return s * mesh.GetCumulativeWeights();
+    case PositionWeighting::ANCHORS:
+      return s * AnchorWeights(Require(mesh, arrays.positionWeights, needed));
+    case PositionWeighting::ARRAY:
+      return Require(mesh, arrays.positionWeights, needed);
+    default:
+      return Vector::Constant(mesh.GetTopology().vertices, s);
+  }
+}
+
+Mask FixedVertices(
+  const MeshTopology& topology, BoundaryCondition condition, const VertexArrays& arrays)
+{
+  Mask isFixed(topology.vertices);
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      isFixed[i] = !topology.isUsed[i] ||
+                   (topology.isBoundary[i] && condition == BoundaryCondition::FIXED) ||
+                   (arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0);
+    });
+  return isFixed;
+}
+
+LaplacianType UsedLaplacian(const OptimizerOptions& options)
+{
+  return options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
+}
+
+/// L of section 4, without rows at vertices on lines and at a boundary that is not free.
+Laplacian ChooseLaplacian(
+  MeshQuantities& mesh, const OptimizerOptions& options, const std::optional<FeatureLines>& lines)
+{
+  const LaplacianType type = UsedLaplacian(options);
+  Laplacian L = mesh.GetLaplacian(type);
+  if (type == LaplacianType::MEAN_CURVATURE)
+  {
+    L.rowScale *= SquaredLengthScale(L, mesh.GetSubdomain());
+  }
+  const MeshTopology& topology = mesh.GetTopology();
+  const bool hasBoundary =
+    options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty();
+  if (hasBoundary || lines)
+  {
+    for (Index i = 0; i < topology.vertices; ++i)
+    {
+      const bool isOnLine = lines && lines->pointClass[i] != FeatureLines::SMOOTH;
+      const bool isEmpty = isOnLine || (hasBoundary && topology.isBoundary[i]);
+      L.rowScale[i] = isEmpty ? 0 : L.rowScale[i];
+    }
+  }
+  return L;
+}
+
+/// Between regions, between tagged vertices, or detected.
+AdjacencyLists FeatureEdges(
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  if (arrays.regions)
+  {
+    return EdgesBetweenRegions(*arrays.regions, mesh.GetTriangles(), topology);
+  }
+  if (arrays.featurePoints)
+  {
+    return EdgesBetweenTagged(*arrays.featurePoints, topology);
+  }
+  if (options.detectFeatures)
+  {
+    return DetectFeatureEdges(mesh.GetPoints(), mesh.GetTriangles(), topology,
+      mesh.GetQuality()->triangles, options.featureAngle);
+  }
+  AdjacencyLists none;
+  none.offsets.assign(topology.vertices + 1, 0);
+  return none;
+}
+
+/// c = f - L V, with f of section 4.
+std::shared_ptr<const Points> ChooseTarget(MeshQuantities& mesh, const Laplacian& L,
+  const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  if (options.mode == Mode::OPTIMIZE_TRIANGLES)
+  {
+    return mesh.GetDetailTarget();
+  }
+  Points target = -Apply(L, mesh.GetPoints());
+  if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
+  {
+    target += Require(mesh, arrays.prescribedLaplacians,
+      "The mode needs a point array of prescribed Laplacians with 3 components");
+  }
+  return std::make_shared<const Points>(std::move(target));
+}
+
+/// Rows that spread the vertices evenly along their line and leave its shape alone: the prescribed
+/// Laplacian of the line is its own part across it.
+std::vector<LineRow> SlidingRows(
+  const FeatureLines& lines, const Points& V, const Vector& laplacianWeights)
+{
+  std::vector<LineRow> rows;
+  ForEachLineVertex(lines,
+    [&](Index i, Index previous, Index next)
+    {
+      const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+      const Vector3 tangent = lines.tangents.row(i);
+      rows.push_back({ i, previous, next, laplacianWeights[i], -laplacian.dot(tangent) * tangent });
+    });
+  return rows;
+}
+}
+
+Vector PositionWeights(
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const MeshTopology& topology = mesh.GetTopology();
+  Vector weights = SchemePositionWeights(mesh, options, arrays);
+  if (options.modulateByTriangleQuality)
+  {
+    weights.array() *= mesh.GetQuality()->vertices.array().cwiseMax(0);
+  }
+  const Index loose = ParallelSum(topology.vertices, Index(0),
+    [&](Index& count, Index i) { count += topology.isUsed[i] && weights[i] <= 0; });
+  if (mesh.GetSubdomain().Maximum(loose) > 0)
+  {
+    HoldLooseComponents(mesh.GetComponents(),
+      FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights,
+      mesh.GetSubdomain());
+  }
+  return weights;
+}
+
+Vector LaplacianWeights(
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  switch (options.laplacianWeighting)
+  {
+    case LaplacianWeighting::LINEAR_COMPLEMENT:
+      return ComplementWeights(LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics()));
+    case LaplacianWeighting::CDF_COMPLEMENT:
+      return ComplementWeights(mesh.GetCumulativeWeights());
+    case LaplacianWeighting::GAUSSIAN:
+      return GaussianWeights(
+        mesh.GetMeanCurvatures(), options.gaussianWidth * mesh.GetStatistics().threshold);
+    case LaplacianWeighting::ARRAY:
+      return Require(mesh, arrays.laplacianWeights, "The Laplacian weighting needs a point array");
+    default:
+      return Vector::Ones(mesh.GetTopology().vertices);
+  }
+}
+
+bool HasFeatures(const OptimizerOptions& options)
+{
+  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION ||
+         (options.featureConstraints && options.mode <= Mode::SMOOTH);
+}
+
+std::optional<FeatureLines> SlidingLines(
+  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+{
+  const bool hasFeatures = HasFeatures(options);
+  const bool hasBoundary =
+    options.boundaryCondition == BoundaryCondition::SLIDING && mesh.HasBoundary();
+  if (!hasFeatures && !hasBoundary)
+  {
+    return std::nullopt;
+  }
+  const MeshTopology& topology = mesh.GetTopology();
+  AdjacencyLists edges;
+  edges.offsets.assign(topology.vertices + 1, 0);
+  if (hasFeatures)
+  {
+    edges = FeatureEdges(mesh, options, arrays);
+  }
+  if (hasBoundary)
+  {
+    edges = MergeEdges(edges, topology.boundaryEdges);
+  }
+  return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+}
+
+DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+{
+  DisplacementConstraints motion;
+  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const bool isFixed =
+        motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
+      const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
+      motion.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
+                          : slides ? DisplacementConstraints::ALONG_LINE
+                                   : DisplacementConstraints::FREE;
+    });
+  if (lines)
+  {
+    motion.axes = lines->tangents;
+  }
+  return motion;
+}
+
+LeastSquaresProblem SetUpProblem(MeshQuantities& mesh, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+{
+  LeastSquaresProblem problem;
+  problem.L = ChooseLaplacian(mesh, options, lines);
+  if (UsedLaplacian(options) == LaplacianType::COTANGENT)
+  {
+    problem.softEdgeWeights = mesh.GetSoftEdgeWeights();
+  }
+  problem.laplacianWeights = LaplacianWeights(mesh, options, arrays);
+  problem.target = ChooseTarget(mesh, problem.L, options, arrays);
+  problem.positionWeights = PositionWeights(mesh, options, arrays);
+  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
+  if (lines)
+  {
+    problem.lineRows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacianWeights);
+  }
+  if (options.tangentPlaneConstraints)
+  {
+    problem.tangentPlaneNormals = TangentPlaneNormals(mesh.GetMeanCurvatureNormals(),
+      mesh.GetMeanCurvatures(),
+      VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
+    problem.tangentPlaneWeight = options.tangentPlaneWeight;
+  }
+  mesh.ReleaseIntermediateParts(UsedLaplacian(options));
+  return problem;
+}
+}

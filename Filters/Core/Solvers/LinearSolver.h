@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_LinearSolver_h
+#define lmo_LinearSolver_h
+
+#include "Core/Solvers/ConjugateGradient.h"
+#include "Core/Solvers/PreconditionerCache.h"
+
+namespace lmo
+{
+/// \param inverses from problems before, which may help
+/// \throw SolverError if a direct solution is asked for and the matrix is singular or too dense, or
+/// its solution is worse than no motion.
+/// \throw Cancelled if the monitor says so.
+Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
+  ProgressMonitor& monitor, PreconditionerCache& inverses);
+
+/// The same by conjugate gradients with the diagonal alone, for problems that are known to suit it.
+Solution SolveByDiagonal(
+  const LeastSquaresProblem& problem, const SolverOptions& options, ProgressMonitor& monitor);
+}
+
+#endif
