@@ -3,7 +3,7 @@
 """Makes the wheel for "pip install .": a build backend (PEP 517) that calls CMake and needs nothing else.
 
 Settings, as in pip install . --config-settings build-dir=build:
-  build-dir   a configured and built build folder to package, instead of a new one
+  build-dir   a build folder to package, instead of a new build
   cmake-args  arguments for CMake, separated by spaces
 """
 import base64
@@ -29,6 +29,13 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
         files = _package_files(prefix)
         _check_import(files, temporary)
         return _write_wheel(pathlib.Path(wheel_directory), files)
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    info = pathlib.Path(metadata_directory, _info())
+    info.mkdir()
+    (info / "METADATA").write_bytes(_metadata())
+    return info.name
 
 
 def build_sdist(sdist_directory, config_settings=None):
@@ -96,16 +103,23 @@ def _version():
     return re.search(r"^  VERSION ([0-9.]+)$", text, re.MULTILINE).group(1)
 
 
-def _write_wheel(folder, files):
-    version = _version()
-    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
-    tag = "-".join([python, python, re.sub("[-.]", "_", sysconfig.get_platform())])
-    info = f"{NAME}-{version}.dist-info"
-    contents = {f"{NAME}/{name}": file.read_bytes() for name, file in sorted(files.items())}
-    contents[f"{info}/METADATA"] = (
-        f"Metadata-Version: 2.1\nName: {NAME}\nVersion: {version}\n"
+def _info():
+    return f"{NAME}-{_version()}.dist-info"
+
+
+def _metadata():
+    return (
+        f"Metadata-Version: 2.1\nName: {NAME}\nVersion: {_version()}\n"
         "Summary: Laplacian mesh optimization for VTK and ParaView\nLicense: BSD-3-Clause\n"
     ).encode()
+
+
+def _write_wheel(folder, files):
+    python = f"cp{sys.version_info.major}{sys.version_info.minor}"
+    tag = "-".join([python, python, re.sub("[-.]", "_", sysconfig.get_platform())])
+    info = _info()
+    contents = {f"{NAME}/{name}": file.read_bytes() for name, file in sorted(files.items())}
+    contents[f"{info}/METADATA"] = _metadata()
     contents[f"{info}/WHEEL"] = (
         f"Wheel-Version: 1.0\nGenerator: {NAME}\nRoot-Is-Purelib: false\nTag: {tag}\n"
     ).encode()
@@ -113,7 +127,7 @@ def _write_wheel(folder, files):
     record = f"{info}/RECORD"
     lines = [f"{name},{_hash(content)},{len(content)}" for name, content in contents.items()]
     contents[record] = ("\n".join([*lines, f"{record},,"]) + "\n").encode()
-    wheel = f"{NAME}-{version}-{tag}.whl"
+    wheel = f"{NAME}-{_version()}-{tag}.whl"
     with zipfile.ZipFile(folder / wheel, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, content in contents.items():
             archive.writestr(name, content)

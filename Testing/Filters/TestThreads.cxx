@@ -56,11 +56,12 @@ void CheckOptimizer(Checks& c, vtkPolyData* mesh, int mode, const std::string& n
 int TestThreads(int, char*[])
 {
   Checks c;
-  const auto mesh = MakePolyData(Irregular(Icosphere(4), 0.1));
+  const auto mesh = MakePolyData(Irregular(Icosphere(3), 0.1));
 
   vtkNew<vtkSurfaceDeviation> deviation;
-  deviation->SetInputData(MakePolyData(Icosphere(5)));
+  deviation->SetInputData(MakePolyData(Icosphere(4)));
   deviation->SetReferenceData(MakePolyData(Icosphere(2)));
+  deviation->SetNumberOfSamples(10000);
   CheckRepeats(c, "vtkSurfaceDeviation", deviation);
 
   vtkNew<vtkMeshLaplacian> laplacian;

@@ -6,13 +6,16 @@
 # usage: TestPip.sh <source directory> <build directory> <python> <work directory>
 set -e
 if [ -z "$LMO_CLEAN_ENVIRONMENT" ]; then
-  exec env -i LMO_CLEAN_ENVIRONMENT=1 PATH=/usr/bin:/bin HOME="$4" LD_LIBRARY_PATH="$LMO_VTK_LIBRARIES" \
-    PYTHONPATH="$LMO_VTK_PYTHON" bash "$0" "$@"
+  exec env -i LMO_CLEAN_ENVIRONMENT=1 PATH=/usr/bin:/bin HOME="$4" \
+    LD_LIBRARY_PATH="$LMO_VTK_LIBRARIES" PYTHONPATH="$LMO_VTK_PYTHON" LMO_VTK_PYTHON="$LMO_VTK_PYTHON" \
+    bash "$0" "$@"
 fi
 rm -rf "$4"
 mkdir -p "$4"
 "$3" -m venv --system-site-packages "$4/environment"
-"$4/environment/bin/python" -m pip install --quiet --no-index --config-settings "build-dir=$2" "$1"
+# A VTK that is not installed is found by PYTHONPATH, which pip hides from builds that it isolates.
+"$4/environment/bin/python" -m pip install --quiet --no-index --config-settings "build-dir=$2" \
+  ${LMO_VTK_PYTHON:+--no-build-isolation} "$1"
 cd "$4"
 environment/bin/python -c "
 import laplacianmesh
