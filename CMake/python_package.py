@@ -8,6 +8,7 @@ Settings, as in pip install . --config-settings build-dir=build:
 """
 import base64
 import hashlib
+import os
 import pathlib
 import re
 import subprocess
@@ -90,8 +91,12 @@ def _check_import(files, temporary):
     for name, file in files.items():
         (package / name).write_bytes(file.read_bytes())
     python = getattr(sys, "_base_executable", None) or sys.executable
+    # pip hides the system's packages from builds that it isolates, by folders in this variable.
+    paths = os.environ.get("PYTHONPATH", "").split(os.pathsep)
+    paths = [root, *(path for path in paths if path and "pip-build-env" not in path)]
     result = subprocess.run(
-        [python, "-c", f"import sys; sys.path.insert(0, {str(root)!r}); import {NAME}"],
+        [python, "-c", f"import {NAME}"],
+        env={**os.environ, "PYTHONPATH": os.pathsep.join(map(str, paths))},
         stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
     )
     if result.returncode != 0:

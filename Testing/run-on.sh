@@ -3,8 +3,8 @@
 # would, on what is committed here:
 #   bash Testing/run-on.sh SYSTEM [CTEST_ARGUMENT...]
 #   SYSTEM  a release of Debian: trixie, bookworm, forky, stable, testing ...
-# The folder is build-on/SYSTEM; there the system is kept for the next time, and the picture that
-# the first command made is left as optimized.png.
+#   LMO_SYSTEMS=DIR  folder where the systems are kept for the next time (default: build-on)
+# The picture that the first command made is left in build-on/SYSTEM.png.
 set -euo pipefail
 if [ $# -eq 0 ]; then
   sed -n '2,/^set/{/^set/d;s/^# \{0,1\}//;p}' "$0"
@@ -13,7 +13,7 @@ fi
 system=$1
 shift
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-root="$source_dir/build-on/$system/root"
+root="${LMO_SYSTEMS:-$source_dir/build-on}/$system"
 
 . "$source_dir/CMake/install-packages.sh"
 install_packages debootstrap git util-linux
@@ -46,6 +46,7 @@ as_root mkdir -p "$root/dev/shm"
 
 echo "--- $system: bash Examples/optimize.sh --output optimized.vtp --image optimized.png"
 in_system bash -c 'cd /root/project && bash Examples/optimize.sh --output optimized.vtp --image optimized.png'
-as_root cp "$root/root/project/optimized.png" "$source_dir/build-on/$system/optimized.png"
+mkdir -p "$source_dir/build-on"
+cp "$root/root/project/optimized.png" "$source_dir/build-on/$system.png"
 echo "--- $system: bash Testing/run.sh $*"
 in_system bash -c 'cd /root/project && exec bash Testing/run.sh "$@"' - "$@"

@@ -46,7 +46,8 @@ double NormalError(const TestMesh& mesh, const Points& expected)
 {
   const Points normals = VertexNormals(mesh.V, mesh.T, *OperatorFixtures(mesh).topology);
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
-  return MaximumDistance(normals(boundary, Eigen::indexing::all), expected(boundary, Eigen::indexing::all));
+  return MaximumDistance(
+    normals(boundary, Eigen::indexing::all), expected(boundary, Eigen::indexing::all));
 }
 
 /// Largest distance of kappa n at the boundary from that of the surface, relative to kappa.

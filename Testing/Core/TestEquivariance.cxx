@@ -86,7 +86,8 @@ double RenumberingError(const Model& model, const OptimizerOptions& options)
                    .unaryExpr([&](Index i) { return place[i]; });
   image.arrays.positionWeights = (*model.arrays.positionWeights)(order);
   image.arrays.laplacianWeights = (*model.arrays.laplacianWeights)(order);
-  image.arrays.prescribedLaplacians = (*model.arrays.prescribedLaplacians)(order, Eigen::indexing::all);
+  image.arrays.prescribedLaplacians =
+    (*model.arrays.prescribedLaplacians)(order, Eigen::indexing::all);
   image.arrays.fixedPoints = (*model.arrays.fixedPoints)(order);
   const Points expected = Run(model.mesh, options, model.arrays).positions;
   return MaximumDistance(

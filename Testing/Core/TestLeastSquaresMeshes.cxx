@@ -24,7 +24,8 @@ struct Energy
     double energy = 0;
     for (Eigen::Index i = 0; i < moved.rows(); ++i)
     {
-      const Vector3 delta = moved(this->rings[i], Eigen::indexing::all).colwise().mean() - moved.row(i);
+      const Vector3 delta =
+        moved(this->rings[i], Eigen::indexing::all).colwise().mean() - moved.row(i);
       energy += std::pow(this->laplacianWeights[i], 2) * (delta - this->f.row(i)).squaredNorm();
       energy +=
         std::pow(this->positionWeights[i], 2) * (moved.row(i) - this->mesh.V.row(i)).squaredNorm();

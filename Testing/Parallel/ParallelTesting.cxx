@@ -247,8 +247,8 @@ double DifferenceFromWhole(const PieceOfMesh& piece, vtkPolyData* output, vtkPol
   double difference = FigureDifference(output, whole);
   const double diagonal = whole->GetLength();
   const Points V = PointsOf(whole);
-  difference =
-    Larger(difference, Difference(PointsOf(output), V(piece.points, Eigen::indexing::all), diagonal));
+  difference = Larger(
+    difference, Difference(PointsOf(output), V(piece.points, Eigen::indexing::all), diagonal));
   for (int k = 0; k < whole->GetPointData()->GetNumberOfArrays(); ++k)
   {
     const std::string name = whole->GetPointData()->GetArrayName(k);
@@ -256,13 +256,14 @@ double DifferenceFromWhole(const PieceOfMesh& piece, vtkPolyData* output, vtkPol
     const double unit = name == "Displacement"    ? diagonal
                         : name == "MeanCurvature" ? std::max(expected.maxCoeff(), 1 / diagonal)
                                                   : 1;
-    difference = Larger(difference,
-      Difference(PointValues(output, name.c_str()), expected(piece.points, Eigen::indexing::all), unit));
+    difference = Larger(difference, Difference(PointValues(output, name.c_str()),
+                                      expected(piece.points, Eigen::indexing::all), unit));
   }
   for (const char* name : { "RadiusRatio", "InputRadiusRatio" })
   {
-    difference = Larger(difference,
-      Difference(CellValues(output, name), CellValues(whole, name)(piece.cells, Eigen::indexing::all), 1));
+    difference =
+      Larger(difference, Difference(CellValues(output, name),
+                           CellValues(whole, name)(piece.cells, Eigen::indexing::all), 1));
   }
   return difference;
 }

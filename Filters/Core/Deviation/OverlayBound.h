@@ -108,10 +108,10 @@ private:
     return this->Origin + p[0] * this->AB + p[1] * this->AC;
   }
 
-  Vector3 Origin; ///< the triangle's corner a
-  Vector3 AB;
-  Vector3 AC;
-  Eigen::Matrix3d Frame; ///< maps an offset from Origin to Projected
+  Vector3 Origin = Vector3::Zero(); ///< the triangle's corner a
+  Vector3 AB = Vector3::Zero();
+  Vector3 AC = Vector3::Zero();
+  Eigen::Matrix3d Frame = Eigen::Matrix3d::Zero(); ///< maps an offset from Origin to Projected
   std::vector<Index> Used;
   std::vector<Index> Closer; ///< triangles that prove a piece and are not over it
   HeightRange Heights;
