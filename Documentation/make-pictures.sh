@@ -5,7 +5,7 @@
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir="$source_dir/build"
-pictures="$source_dir/Documentation/pictures"
+scripts="$source_dir/Documentation/scripts"
 images="$source_dir/Documentation/images"
 
 . "$source_dir/CMake/install-packages.sh"
@@ -16,16 +16,16 @@ if [ ! -e "$build_dir/setup-env.sh" ]; then
     -DBUILD_TESTING=OFF >/dev/null
 fi
 cmake --build "$build_dir"
-g++ -std=c++17 -O2 "$pictures/relax.cxx" -o "$build_dir/relax" -lmpfr -lgmp
+g++ -std=c++17 -O2 "$scripts/relax.cxx" -o "$build_dir/relax" -lmpfr -lgmp
 . "$build_dir/setup-env.sh"
 export PYTHONDONTWRITEBYTECODE=1
 
 draw() {
   xvfb-run -a -s '-screen 0 1600x1200x24 -noreset' /usr/bin/python3 "$@"
 }
-draw "$pictures/examples.py"
-draw "$pictures/parameters.py"
-draw "$pictures/budget.py" --relax "$build_dir/relax"
+draw "$scripts/examples.py"
+draw "$scripts/parameters.py"
+draw "$scripts/budget.py" --relax "$build_dir/relax"
 if [ -n "${LMO_REAL_MESHES:-}" ]; then
-  draw "$pictures/budget.py" --meshes "$LMO_REAL_MESHES"
+  draw "$scripts/budget.py" --meshes "$LMO_REAL_MESHES"
 fi

@@ -42,7 +42,7 @@
  *   `PositionWeight`, `LaplacianWeight`: the diagonals of W_p and W_L that the weighting schemes
  *   gave. `Displacement`: new minus old coordinates. With features also `FeatureClass`: 0 smooth, 1
  *   on a feature line, 2 corner; a boundary counts as a line where it slides.
- * - Field data, one value each: the figures of the Get methods below, under their names.
+ * - Field data, one value each: the metrics that the Get methods below return, under their names.
  *
  * @sa vtkMeshLaplacian vtkTriangleRadiusRatio vtkSurfaceDeviation vtkWindowedSincPolyDataFilter
  */
@@ -140,10 +140,10 @@ public:
    * input (section 5; Eqn. 10 with PositionWeighting ANCHORS). SMOOTH (1): f = 0 (section 6; Eqn. 9
    * with ANCHORS). PRESCRIBED_LAPLACIANS (2): f from PRESCRIBED_LAPLACIAN_ARRAY.
    * OPTIMIZE_WITHIN_DEVIATION (3): passes with L = L_u and f = n n^T L_u V, in which each point
-   * keeps its tangent plane, after each of which motion is taken back where it leaves
-   * MaximumDeviation or spoils a triangle; it has weights of its own. The smallest radius ratio
-   * does not fall, and no triangle turns over or folds that did not before. If you abort it, the
-   * output is what was reached by then. SMOOTH_GUIDED (4): smooths lightly, then filters the
+   * stays in its tangent plane; after each pass the displacements that exceed MaximumDeviation or
+   * damage a triangle are reduced. The mode has weights of its own. The smallest radius ratio does
+   * not fall, and no additional triangle is inverted or folded. If you abort the filter, the output
+   * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
    * own. Default: OPTIMIZE_TRIANGLES.
    */
@@ -177,12 +177,12 @@ public:
 
   ///@{
   /**
-   * How strongly each point is held where it was: the diagonal of W_p (section 5). CONSTANT (0): s.
-   * LINEAR (1): from 0 at the least to s at the largest mean curvature, outliers clamped by a
-   * box-plot test; for CAD models. CDF (2): s times the share of points with at most the same mean
-   * curvature, Eqn. 13; for smooth models. ANCHORS (3): s where POSITION_WEIGHT_ARRAY is not 0,
-   * else 0. ARRAY (4): the values of POSITION_WEIGHT_ARRAY. A connected component that neither a
-   * positive weight nor a fixed point holds gets the weight s. Default: CDF.
+   * How strongly each point is attracted to its input position: the diagonal of W_p (section 5).
+   * CONSTANT (0): s. LINEAR (1): from 0 at the least to s at the largest mean curvature, outliers
+   * clamped by a box-plot test; for CAD models. CDF (2): s times the share of points with at most
+   * the same mean curvature, Eqn. 13; for smooth models. ANCHORS (3): s where POSITION_WEIGHT_ARRAY
+   * is not 0, else 0. ARRAY (4): the values of POSITION_WEIGHT_ARRAY. A connected component that
+   * neither a positive weight nor a fixed point holds gets the weight s. Default: CDF.
    */
   vtkSetMacro(PositionWeighting, int);
   vtkGetMacro(PositionWeighting, int);
@@ -260,9 +260,9 @@ public:
   ///@{
   /**
    * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
-   * for its points. SelectionUse says what becomes of them. Points that FIXED_POINT_ARRAY or
-   * BoundaryCondition hold do not move either way. Selections that are queries, name blocks of a
-   * composite data set, or mix points and cells are errors.
+   * for its points. SelectionUse sets what happens to them. Points that FIXED_POINT_ARRAY or
+   * BoundaryCondition fixes do not move in either case. Selections that are queries, name blocks of
+   * a composite data set, or mix points and cells are errors.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
   void SetSelectionData(vtkSelection* selection);
@@ -389,7 +389,8 @@ public:
 
   ///@{
   /**
-   * For SMOOTH_GUIDED: how strongly points are held where they were. More than 0. Default: 0.3.
+   * For SMOOTH_GUIDED: how strongly points are attracted to their input positions. More than 0.
+   * Default: 0.3.
    */
   vtkSetMacro(DetailWeight, double);
   vtkGetMacro(DetailWeight, double);
@@ -428,8 +429,8 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Valid after Update(), as all figures below, and undefined, -1 or 0, when the output
-   * is out of date; those of the last block if the input is composite.
+   * triangles. Like all metrics below, these are valid after Update(). They are -1 or 0 when the
+   * output is out of date, and those of the last block if the input is composite.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);
@@ -439,7 +440,7 @@ public:
 
   ///@{
   /**
-   * Length of the longest displacement, in the mesh's unit and divided by the diagonal of the
+   * Length of the longest displacement, in the unit of the mesh and divided by the diagonal of the
    * bounding box. Every point of the new surface is within this distance of the old one.
    */
   vtkGetMacro(MaximumDisplacement, double);
@@ -468,8 +469,9 @@ public:
   vtkGetMacro(RelativeResidual, double);
 
   /**
-   * Of OPTIMIZE_WITHIN_DEVIATION: the Hausdorff distance, divided by the diagonal of the bounding
-   * box, is proved to be at most that. 0 for other modes, as the next two.
+   * For OPTIMIZE_WITHIN_DEVIATION: guaranteed upper bound of the Hausdorff distance between input
+   * and output, divided by the diagonal of the bounding box. Zero in all other modes, like the two
+   * metrics that follow.
    */
   vtkGetMacro(RelativeHausdorffBound, double);
 

@@ -117,9 +117,9 @@ void RunOnThreads(const Body& body)
     });
 }
 
-/// RequestData() of all filters: calls body() on threads, unless \a input is null as that of a
-/// block of a composite data set is that is no surface; turns exceptions into vtkErrorMacro, and
-/// leaves the output empty after an error or a cancellation.
+/// RequestData() of all filters: calls body() on threads and turns exceptions into vtkErrorMacro.
+/// Does nothing if \a input is null, which happens for blocks that are not vtkPolyData. The output
+/// is empty after an error or a cancellation.
 /// \return what RequestData() returns
 template <typename Filter, typename Body>
 int RunFilter(Filter* filter, vtkDataObject* input, vtkDataObject* output, const Body& body)
