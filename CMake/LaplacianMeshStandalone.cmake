@@ -42,30 +42,7 @@ else ()
 endif ()
 
 include(CTest)
-
-# --- PETSc, for surfaces over several processes -------------------------------------------------
-set(LMO_USE_PETSC "AUTO" CACHE STRING
-  "Build the module for surfaces over several MPI processes: AUTO, ON or OFF")
-set_property(CACHE LMO_USE_PETSC PROPERTY STRINGS AUTO ON OFF)
-set(lmo_parallel OFF)
-if (LMO_USE_PETSC)
-  set(lmo_missing "")
-  find_package(PkgConfig QUIET)
-  if (PkgConfig_FOUND)
-    pkg_check_modules(PETSC QUIET IMPORTED_TARGET GLOBAL PETSc)
-  endif ()
-  if (NOT TARGET PkgConfig::PETSC)
-    string(APPEND lmo_missing " PETSc (pkg-config; libpetsc-real-dev)")
-  endif ()
-  if (NOT TARGET VTK::ParallelMPI OR NOT TARGET VTK::FiltersParallelDIY2)
-    string(APPEND lmo_missing " VTK or ParaView with MPI")
-  endif ()
-  if (NOT lmo_missing)
-    set(lmo_parallel ON)
-  elseif (NOT LMO_USE_PETSC STREQUAL "AUTO")
-    message(FATAL_ERROR "LMO_USE_PETSC is ON, but this was not found:${lmo_missing}")
-  endif ()
-endif ()
+include(LaplacianMeshPetsc)
 
 # The build tree has the install tree's layout.
 set(CMAKE_RUNTIME_OUTPUT_DIRECTORY "${PROJECT_BINARY_DIR}/${CMAKE_INSTALL_BINDIR}")
@@ -116,114 +93,7 @@ vtk_module_export_find_packages(
   FILE_NAME         "LaplacianMesh-vtk-module-find-packages.cmake"
   MODULES           ${lmo_modules})
 
-# --- Python ------------------------------------------------------------------------------------
-set(lmo_python_dir "")
-if (LMO_WRAP_PYTHON)
-  if (NOT DEFINED LMO_PYTHON_DESTINATION)
-    if (EXISTS /etc/debian_version)
-      # Where Debian's python3 looks below /usr.
-      set(LMO_PYTHON_DESTINATION "lib/python3/dist-packages")
-    else ()
-      vtk_module_python_default_destination(LMO_PYTHON_DESTINATION)
-    endif ()
-  endif ()
-  set(lmo_python_dir "${LMO_PYTHON_DESTINATION}")
-  vtk_module_wrap_python(
-    MODULES             ${lmo_modules}
-    TARGET              LaplacianMesh::FiltersLaplacianMeshPython
-    PYTHON_PACKAGE      laplacianmesh
-    MODULE_DESTINATION  "${LMO_PYTHON_DESTINATION}"
-    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-    CMAKE_DESTINATION   "${lmo_cmake_destination}"
-    BUILD_STATIC        OFF
-    INSTALL_HEADERS     OFF)
-  set(lmo_python_init "${PROJECT_BINARY_DIR}/${LMO_PYTHON_DESTINATION}/laplacianmesh/__init__.py")
-  set(lmo_python_imports "from .vtkFiltersLaplacianMesh import *\n")
-  if (lmo_parallel)
-    string(APPEND lmo_python_imports "from .vtkFiltersLaplacianMeshParallel import *\n")
-  endif ()
-  file(CONFIGURE OUTPUT "${lmo_python_init}" @ONLY CONTENT
-    "@lmo_python_imports@\n__version__ = '@PROJECT_VERSION@'\n")
-  configure_file(Filters/Python/pyvista.py
-    "${PROJECT_BINARY_DIR}/${LMO_PYTHON_DESTINATION}/laplacianmesh/pyvista.py" COPYONLY)
-  install(FILES "${lmo_python_init}" Filters/Python/pyvista.py
-    DESTINATION "${LMO_PYTHON_DESTINATION}/laplacianmesh")
-endif ()
-
-# --- The ParaView plugin -----------------------------------------------------------------------
-set(lmo_plugin_dir "")
-if (LMO_PARAVIEW)
-  paraview_plugin_scan(
-    PLUGIN_FILES      "${PROJECT_SOURCE_DIR}/Plugin/paraview.plugin"
-    PROVIDES_PLUGINS  lmo_plugins
-    REQUIRES_MODULES  lmo_plugin_required
-    ENABLE_BY_DEFAULT ON
-    HIDE_PLUGINS_FROM_CACHE ON)
-  paraview_plugin_build(
-    PLUGINS              ${lmo_plugins}
-    PLUGINS_FILE_NAME    "LaplacianMeshOptimization.plugins.xml"
-    RUNTIME_DESTINATION  "${CMAKE_INSTALL_BINDIR}"
-    LIBRARY_DESTINATION  "${CMAKE_INSTALL_LIBDIR}"
-    LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}")
-  set(lmo_plugin_dir
-    "${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/LaplacianMeshOptimization")
-  # paraview.simple.LoadPlugin() takes a file: this one has the plugin's name.
-  file(MAKE_DIRECTORY "${PROJECT_BINARY_DIR}/${lmo_plugin_dir}")
-  set(lmo_plugin_link "${PROJECT_BINARY_DIR}/${lmo_plugin_dir}/LaplacianMeshOptimization")
-  file(CREATE_LINK "LaplacianMeshOptimization${CMAKE_SHARED_MODULE_SUFFIX}" "${lmo_plugin_link}"
-    SYMBOLIC)
-  install(FILES "${lmo_plugin_link}" DESTINATION "${lmo_plugin_dir}")
-endif ()
-
-# --- The environment in which python, pvpython and LoadPlugin find what was built ----------------
-function (lmo_write_environment file path_to_root)
-  set(LMO_PATH_TO_ROOT "${path_to_root}")
-  set(LMO_LIBRARY_DIR "${CMAKE_INSTALL_LIBDIR}")
-  set(LMO_PYTHON_DIR "${lmo_python_dir}")
-  set(LMO_PLUGIN_DIR "${lmo_plugin_dir}")
-  configure_file("${PROJECT_SOURCE_DIR}/CMake/setup-env.sh.in" "${file}" @ONLY)
-endfunction ()
-lmo_write_environment("${PROJECT_BINARY_DIR}/setup-env.sh" ".")
-lmo_write_environment("${PROJECT_BINARY_DIR}/CMakeFiles/installed/setup-env.sh" "../..")
-install(FILES "${PROJECT_BINARY_DIR}/CMakeFiles/installed/setup-env.sh"
-  DESTINATION "${CMAKE_INSTALL_DATADIR}/LaplacianMesh")
-
-# --- The CMake package -------------------------------------------------------------------------
-configure_package_config_file(CMake/LaplacianMeshConfig.cmake.in
-  "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
-  INSTALL_DESTINATION "${lmo_cmake_destination}")
-write_basic_package_version_file(
-  "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
-  COMPATIBILITY SameMinorVersion)
-install(
-  FILES
-    "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfig.cmake"
-    "${PROJECT_BINARY_DIR}/${lmo_cmake_destination}/LaplacianMeshConfigVersion.cmake"
-    CMake/LaplacianMeshParaViewExports.cmake
-  DESTINATION "${lmo_cmake_destination}")
-
-install(FILES LICENSE CHANGELOG.md CITATION.cff DESTINATION "${CMAKE_INSTALL_DOCDIR}")
-include(LaplacianMeshPackage)
-
-# --- Tests that need the whole build -------------------------------------------------------------
-if (BUILD_TESTING)
-  add_subdirectory(Testing/Package)
-  if (lmo_parallel)
-    # The processes may be more than the processors: those that wait let the others run.
-    find_package(MPI REQUIRED COMPONENTS C)
-    set(lmo_mpirun "${MPIEXEC_EXECUTABLE}" --allow-run-as-root --oversubscribe
-      --mca mpi_yield_when_idle 1)
-    add_subdirectory(Testing/Parallel)
-  endif ()
-  if (LMO_WRAP_PYTHON)
-    add_subdirectory(Testing/Python)
-  endif ()
-  if (LMO_PARAVIEW)
-    add_subdirectory(Testing/ParaView)
-  endif ()
-endif ()
-
-# --- The benchmark -------------------------------------------------------------------------------
-if (LMO_BENCHMARKS OR BUILD_TESTING)
-  add_subdirectory(Testing/Benchmarks)
-endif ()
+include(LaplacianMeshPython)
+include(LaplacianMeshPlugin)
+include(LaplacianMeshInstall)
+include(LaplacianMeshTests)

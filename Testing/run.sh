@@ -2,6 +2,7 @@
 # Builds the module, the Python package and the plugin in build/, and runs all tests. Installs what
 # it needs on Debian and Ubuntu. Arguments go to ctest: bash Testing/run.sh -R Core
 #   LMO_REAL_MESHES=DIR  folder of real meshes that are measured too
+#   LMO_USE_PETSC=ON     an error if surfaces over several processes cannot be built
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir="$source_dir/build"
@@ -11,6 +12,6 @@ install_build_packages "${display_packages[@]}" "${test_packages[@]}" "${paralle
 install_if_available python3-pyvista
 
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
-  -DBUILD_TESTING=ON -DLMO_USE_PETSC=ON -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null
+  -DBUILD_TESTING=ON -DLMO_USE_PETSC="${LMO_USE_PETSC:-AUTO}" -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null
 cmake --build "$build_dir" -j2
 ctest --test-dir "$build_dir" --output-on-failure "$@"
