@@ -24,6 +24,9 @@ if [ ! -e "$root/etc/debian_version" ] || [ -e "$root/debootstrap" ]; then
   # The script of Debian's unstable release makes all releases, those too that this system's
   # debootstrap has no name for.
   quietly as_root debootstrap --variant=minbase "$system" "$root" "" sid
+  # A mirror that is not up to date serves as well.
+  echo 'Acquire::Check-Valid-Until "false";' |
+    as_root tee "$root/etc/apt/apt.conf.d/no-expiry" >/dev/null
 fi
 
 # in_system COMMAND...: in the system, with nothing of this one's environment.

@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """One function per job on PyVista meshes.
 
-Each takes a surface (pyvista.PolyData; of other meshes the outer surface is taken), leaves it as it is,
-and returns a new pyvista.PolyData with its results as arrays and its quality measures in field_data.
-The properties that a function does not name are keyword arguments with the names of the filter's
-setters: improve_triangles(mesh, NumberOfPasses=3).
+Each takes a surface (pyvista.PolyData; of other meshes the outer surface is taken), leaves it as
+it is, and returns a new pyvista.PolyData with its results as arrays and its quality measures in
+field_data. The properties that a function does not name are keyword arguments with the names of the
+filter's setters: improve_triangles(mesh, NumberOfPasses=3).
 
 >>> from laplacianmesh.pyvista import improve_triangles
 >>> better = improve_triangles(mesh, max_deviation=0.001)
@@ -131,8 +131,9 @@ def _optimized(mesh, **properties):
 def _run(filter, meshes, properties):
     """The filter's output; its errors become a RuntimeError."""
     for port, mesh in enumerate(meshes):
-        is_surface = isinstance(mesh, pyvista.PolyData)
-        filter.SetInputData(port, mesh if is_surface else mesh.extract_surface())
+        if not isinstance(mesh, pyvista.PolyData):
+            mesh = mesh.extract_surface().clean()  # of a grid's faces, each has points of its own
+        filter.SetInputData(port, mesh)
     for name, value in properties.items():
         # Enumerations by their name or their value, as in C++.
         getattr(filter, "Set" + name)(getattr(filter, value) if isinstance(value, str) else value)
