@@ -28,9 +28,12 @@ private:
   bool Previous;
 };
 
-/// Threads that stay ready between parallel loops. vtkSMPTools' STDThread backend starts its
-/// threads anew for each loop, which costs as much as an iteration of the solver on 50,000
-/// vertices; it still says how many threads there are. A thread without work sleeps.
+/// Threads that stay ready between parallel loops; a thread without work polls for a moment before
+/// it sleeps. vtkSMPTools' STDThread backend, which still says how many threads there are, starts
+/// its threads anew for each loop before VTK 9.3, and from then on keeps a pool that sleeps between
+/// loops. On that pool (VTK 9.3, two threads), better triangles and smoothing with L_u take 1.2 to
+/// 2.2 times as long on 10,000 vertices, 1.2 to 2.3 times on 41,000, and 1.1 to 1.4 times on
+/// 164,000.
 class ThreadPool
 {
 public:
