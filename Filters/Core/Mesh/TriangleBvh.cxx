@@ -7,6 +7,7 @@
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lmo
@@ -169,6 +170,19 @@ TriangleBvh::Hit TriangleBvh::FindClosest(const Vector3& x, double radius, Index
   {
     this->Try(hint, x, best);
   }
+  this->Search(x, closeEnough, best);
+  return best;
+}
+
+TriangleBvh::Hit TriangleBvh::FindClosest(const Vector3& x) const
+{
+  Hit best{ -1, std::numeric_limits<double>::infinity() };
+  this->Search(x, 0, best);
+  return best;
+}
+
+void TriangleBvh::Search(const Vector3& x, double closeEnough, Hit& best) const
+{
   const Eigen::Vector3d centre = x;
   std::pair<Index, double> stack[64];
   int size = 0;
@@ -196,6 +210,5 @@ TriangleBvh::Hit TriangleBvh::FindClosest(const Vector3& x, double radius, Index
     stack[size++] = { 2 * node + isLeftNearer, std::max(left, right) };
     stack[size++] = { 2 * node + !isLeftNearer, std::min(left, right) };
   }
-  return best;
 }
 }

@@ -42,6 +42,9 @@ public:
   /// \param hint a triangle that is perhaps close, or -1
   Hit FindClosest(const Vector3& x, double radius, Index hint = -1) const;
 
+  /// The triangle closest to x, at any distance; triangle -1 if there are no triangles.
+  Hit FindClosest(const Vector3& x) const;
+
   /// Of x to one triangle.
   double SquaredDistance(Index triangle, const Vector3& x) const;
 
@@ -65,6 +68,9 @@ private:
   void Merge(Index node);
 
   void Try(Index triangle, const Vector3& x, Hit& best) const;
+
+  /// Makes best the closest triangle, or any one whose squared distance is at most \a closeEnough.
+  void Search(const Vector3& x, double closeEnough, Hit& best) const;
 
   const Points& V;
   const Triangles& T;
