@@ -159,7 +159,7 @@ int vtkLaplacianMeshOptimizer::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // ParaView reads the metrics before it executes the filter again.
-  this->State->SetMetrics(Tables::NoResult());
+  this->State->SetMetrics({});
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
@@ -185,7 +185,7 @@ void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
   { os << indent << name << ": " << value << "\n"; };
   const lmo::OptimizerOptions options;
   Tables::VisitProperties(*this, options, print);
-  Tables::VisitMetrics(*this, Tables::NoResult(), print);
+  Tables::VisitMetrics(*this, {}, print);
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

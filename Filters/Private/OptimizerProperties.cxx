@@ -12,7 +12,6 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
-#include <cmath>
 #include <cstring>
 #include <sstream>
 #include <type_traits>
@@ -37,7 +36,7 @@ void CheckValue(const char* name, int value, lmo::Choices choices)
 
 void CheckValue(const char* name, double value, lmo::Range range)
 {
-  if (!range.contains(value) || !std::isfinite(value))
+  if (!(value >= range.least && value <= range.largest)) // NaN is not in a range
   {
     std::ostringstream text;
     text << name << " is " << value << "; it must be " << range.text << ".";

@@ -8,6 +8,8 @@
 
 #include "vtkLaplacianMeshOptimizer.h"
 
+#include <limits>
+
 namespace lmo
 {
 /// The values of a property that is on or off.
@@ -21,12 +23,16 @@ struct Choices
   int last;
 };
 
-/// The valid values of a number, which are finite, and their description for error messages.
+/// The values of a number and their description for error messages.
 struct Range
 {
   const char* text;
-  bool (*contains)(double value);
+  double least;
+  double largest = std::numeric_limits<double>::max();
 };
+
+constexpr double AboveZero = std::numeric_limits<double>::denorm_min();
+constexpr double BelowOne = 1 - std::numeric_limits<double>::epsilon() / 2;
 }
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -41,24 +47,15 @@ struct vtkLaplacianMeshOptimizer::Tables
   template <typename Filter, typename Options, typename Row>
   static void VisitProperties(Filter& filter, Options& options, const Row& row)
   {
-    using lmo::Choices;
-    using lmo::LargestWeight;
-    using lmo::Range;
-    using lmo::Switch;
-    const Range positive{ "more than 0", [](double x) { return x > 0; } };
-    const Range notNegative{ "0 or more", [](double x) { return x >= 0; } };
-    const Range scale{ "more than 0, from 1e-40 to 1e40",
-      [](double x) { return x >= lmo::SmallestScaleFactor && x <= LargestWeight; } };
-    const Range weight{ "0 or more, up to 1e40",
-      [](double x) { return x >= 0 && x <= LargestWeight; } };
-    const Range positiveWeight{ "more than 0, up to 1e40",
-      [](double x) { return x > 0 && x <= LargestWeight; } };
-    const Range fraction{ "between 0 and 1", [](double x) { return x > 0 && x < 1; } };
-    const Range deviation{ "more than 0, up to 1", [](double x) { return x > 0 && x <= 1; } };
-    const Range angle{ "from 0 to 180", [](double x) { return x >= 0 && x <= 180; } };
-    auto& within = options.deviation;
-    auto& guide = options.guide;
-    auto& solver = options.solver;
+    using namespace lmo;
+    const Range positive{ "more than 0", AboveZero };
+    const Range scale{ "more than 0, from 1e-40 to 1e40", SmallestScaleFactor, LargestWeight };
+    const Range weight{ "0 or more, up to 1e40", 0, LargestWeight };
+    const Range positiveWeight{ "more than 0, up to 1e40", AboveZero, LargestWeight };
+    const Range fraction{ "between 0 and 1", AboveZero, BelowOne };
+    const Range deviation{ "more than 0, up to 1", AboveZero, 1 };
+    const Range angle{ "from 0 to 180", 0, 180 };
+    const Range count{ "0 or more", 0 };
     row("Mode", filter.Mode, Choices{ SMOOTH_GUIDED }, options.mode);
     row("LaplacianType", filter.LaplacianType, Choices{ MEAN_CURVATURE }, options.laplacianType);
     row("RobustLaplacian", filter.RobustLaplacian, Switch{}, options.robustLaplacian);
@@ -75,19 +72,19 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("BoundaryCondition", filter.BoundaryCondition, Choices{ FREE }, options.boundaryCondition);
     row("SelectionUse", filter.SelectionUse, Choices{ ONLY_SELECTED_POINTS_MOVE });
     row("SolverType", filter.SolverType, Choices{ ITERATIVE }, options.solverType);
-    row("Tolerance", filter.Tolerance, fraction, solver.tolerance);
+    row("Tolerance", filter.Tolerance, fraction, options.solver.tolerance);
     row("MaximumNumberOfIterations", filter.MaximumNumberOfIterations, positive,
-      solver.maximumIterations);
-    row("MaximumDeviation", filter.MaximumDeviation, deviation, within.maximum);
-    row("NumberOfPasses", filter.NumberOfPasses, positive, within.passes);
+      options.solver.maximumIterations);
+    row("MaximumDeviation", filter.MaximumDeviation, deviation, options.deviation.maximum);
+    row("NumberOfPasses", filter.NumberOfPasses, positive, options.deviation.passes);
     row("ImproveWorstTriangles", filter.ImproveWorstTriangles, Switch{},
-      within.improveWorstTriangles);
+      options.deviation.improveWorstTriangles);
     row("FeatureConstraints", filter.FeatureConstraints, Switch{}, options.featureConstraints);
     row("DetectFeatures", filter.DetectFeatures, Switch{}, options.detectFeatures);
     row("FeatureAngle", filter.FeatureAngle, angle, options.featureAngle);
-    row("NormalIterations", filter.NormalIterations, notNegative, guide.normalIterations);
-    row("NormalWidth", filter.NormalWidth, positive, guide.normalWidth);
-    row("DetailWeight", filter.DetailWeight, positiveWeight, guide.detailWeight);
+    row("NormalIterations", filter.NormalIterations, count, options.guide.normalIterations);
+    row("NormalWidth", filter.NormalWidth, positive, options.guide.normalWidth);
+    row("DetailWeight", filter.DetailWeight, positiveWeight, options.guide.detailWeight);
     row("PreserveVolume", filter.PreserveVolume, Switch{}, options.preserveVolume);
     row("Twicing", filter.Twicing, Switch{}, options.twicing);
     row("ComputeNormals", filter.ComputeNormals, Switch{});
@@ -117,14 +114,6 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("RelativeHausdorffBound", filter.RelativeHausdorffBound, deviation.relativeBound, isWithin);
     row("Passes", filter.Passes, deviation.passes, isWithin);
     row("RolledBackPoints", filter.RolledBackPoints, deviation.rolledBack, isWithin);
-  }
-
-  /// The result that there is before the first execution.
-  static lmo::OptimizerResult NoResult()
-  {
-    lmo::OptimizerResult none;
-    none.comparison.before = std::make_shared<lmo::MeshQuality>();
-    return none;
   }
 };
 

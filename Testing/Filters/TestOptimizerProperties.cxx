@@ -80,7 +80,7 @@ void CheckPrinting(Checks& c)
   };
   const lmo::OptimizerOptions options;
   Tables::VisitProperties(*filter.Get(), options, check);
-  Tables::VisitMetrics(*filter.Get(), Tables::NoResult(), check);
+  Tables::VisitMetrics(*filter.Get(), {}, check);
 }
 
 /// Checks that the filter refuses the values outside the limits of a property, and no others.
@@ -139,7 +139,7 @@ void CheckMetrics(Checks& c, int mode)
   filter->SetInputData(MakePolyData(Icosphere(1)));
   filter->SetMode(mode);
   filter->Update();
-  Tables::VisitMetrics(*filter.Get(), Tables::NoResult(),
+  Tables::VisitMetrics(*filter.Get(), {},
     [&](const std::string& name, auto value, auto, bool isOfMode = true)
     {
       const double written = FieldValue(filter->GetOutput(), name.c_str());
@@ -148,7 +148,7 @@ void CheckMetrics(Checks& c, int mode)
     });
   filter->Modified();
   filter->UpdateInformation();
-  Tables::VisitMetrics(*filter.Get(), Tables::NoResult(),
+  Tables::VisitMetrics(*filter.Get(), {},
     [&](const std::string& name, auto value, auto none, bool = true)
     { c.True(name + ofMode + " is reset", value == static_cast<decltype(value)>(none)); });
 }
