@@ -4,6 +4,7 @@
 
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerInternals.h"
+#include "Private/OptimizerTables.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
@@ -17,6 +18,7 @@
 #include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <type_traits>
 #include <utility>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -51,7 +53,6 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   this->Engine->Try(
     [&]
     {
-      this->CheckProperties();
       options = this->ReadOptions();
       arrays = this->ReadArrays(input, selection);
     });
@@ -79,8 +80,8 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
     monitor->Begin("Writing the result");
   }
   output->ShallowCopy(input);
-  this->SetFigures(result);
-  this->WriteFigures(output->GetFieldData());
+  this->SetMetrics(result);
+  this->WriteMetrics(result, output->GetFieldData());
   this->WritePoints(std::move(result), input, output);
 }
 
@@ -109,57 +110,28 @@ void vtkLaplacianMeshOptimizer::Internals::WritePoints(
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, output);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::SetFigures(const lmo::OptimizerResult& result) const
+void vtkLaplacianMeshOptimizer::Internals::SetMetrics(const lmo::OptimizerResult& result) const
 {
-  const lmo::SurfaceComparison& comparison = result.comparison;
-  vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  filter.MeanRadiusRatio = comparison.after.mean;
-  filter.MinimumRadiusRatio = comparison.after.minimum;
-  filter.InputMeanRadiusRatio = comparison.before->mean;
-  filter.InputMinimumRadiusRatio = comparison.before->minimum;
-  filter.MaximumDisplacement = comparison.maximumDisplacement;
-  filter.RelativeMaximumDisplacement = comparison.relativeMaximumDisplacement;
-  filter.RelativeVolumeChange = comparison.relativeVolumeChange;
-  filter.FlippedTriangles = comparison.flippedTriangles;
-  filter.Iterations = result.iterations;
-  filter.RelativeResidual = result.relativeResidual;
-  filter.RelativeHausdorffBound = result.deviation.relativeBound;
-  filter.Passes = result.deviation.passes;
-  filter.RolledBackPoints = result.deviation.rolledBack;
+  Tables::VisitMetrics(*this->Filter, result,
+    [](const char*, auto& value, auto newValue, bool = true)
+    { value = static_cast<std::decay_t<decltype(value)>>(newValue); });
 }
 
-void vtkLaplacianMeshOptimizer::Internals::WriteFigures(vtkFieldData* fieldData) const
+void vtkLaplacianMeshOptimizer::Internals::WriteMetrics(
+  const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
 {
-  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  const std::pair<const char*, double> figures[] = {
-    { "MeanRadiusRatio", filter.MeanRadiusRatio },
-    { "MinimumRadiusRatio", filter.MinimumRadiusRatio },
-    { "InputMeanRadiusRatio", filter.InputMeanRadiusRatio },
-    { "InputMinimumRadiusRatio", filter.InputMinimumRadiusRatio },
-    { "MaximumDisplacement", filter.MaximumDisplacement },
-    { "RelativeMaximumDisplacement", filter.RelativeMaximumDisplacement },
-    { "RelativeVolumeChange", filter.RelativeVolumeChange },
-    { "FlippedTriangles", double(filter.FlippedTriangles) },
-    { "Iterations", double(filter.Iterations) },
-    { "RelativeResidual", filter.RelativeResidual },
-  };
-  const std::pair<const char*, double> figuresWithinDeviation[] = {
-    { "RelativeHausdorffBound", filter.RelativeHausdorffBound },
-    { "Passes", double(filter.Passes) },
-    { "RolledBackPoints", double(filter.RolledBackPoints) },
-  };
-  for (const auto& [name, value] : figures)
-  {
-    fieldData->AddArray(lmo::MakeArray(name, value));
-  }
-  for (const auto& [name, value] : figuresWithinDeviation)
-  {
-    fieldData->RemoveArray(name); // a filter before may have proved it, for another surface
-    if (filter.Mode == OPTIMIZE_WITHIN_DEVIATION)
+  Tables::VisitMetrics(*this->Filter, result,
+    [&](const char* name, auto value, auto, bool isOfMode = true)
     {
-      fieldData->AddArray(lmo::MakeArray(name, value));
-    }
-  }
+      if (isOfMode)
+      {
+        fieldData->AddArray(lmo::MakeArray(name, static_cast<double>(value)));
+      }
+      else
+      {
+        fieldData->RemoveArray(name); // an earlier filter may have written it, for another surface
+      }
+    });
 }
 
 void vtkLaplacianMeshOptimizer::SetSelectionConnection(vtkAlgorithmOutput* selection)
@@ -186,10 +158,8 @@ int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation
 int vtkLaplacianMeshOptimizer::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // ParaView reads the figures before it executes the filter again.
-  lmo::OptimizerResult none;
-  none.comparison.before = std::make_shared<lmo::MeshQuality>();
-  this->State->SetFigures(none);
+  // ParaView reads the metrics before it executes the filter again.
+  this->State->SetMetrics({});
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
@@ -211,46 +181,11 @@ int vtkLaplacianMeshOptimizer::RequestData(
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Mode: " << this->Mode << "\n";
-  os << indent << "LaplacianType: " << this->LaplacianType << "\n";
-  os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
-  os << indent << "PositionWeighting: " << this->PositionWeighting << "\n";
-  os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
-  os << indent << "LaplacianWeighting: " << this->LaplacianWeighting << "\n";
-  os << indent << "GaussianWidth: " << this->GaussianWidth << "\n";
-  os << indent << "ModulateByTriangleQuality: " << this->ModulateByTriangleQuality << "\n";
-  os << indent << "TangentPlaneConstraints: " << this->TangentPlaneConstraints << "\n";
-  os << indent << "TangentPlaneWeight: " << this->TangentPlaneWeight << "\n";
-  os << indent << "BoundaryCondition: " << this->BoundaryCondition << "\n";
-  os << indent << "SelectionUse: " << this->SelectionUse << "\n";
-  os << indent << "SolverType: " << this->SolverType << "\n";
-  os << indent << "Tolerance: " << this->Tolerance << "\n";
-  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
-  os << indent << "MaximumDeviation: " << this->MaximumDeviation << "\n";
-  os << indent << "NumberOfPasses: " << this->NumberOfPasses << "\n";
-  os << indent << "ImproveWorstTriangles: " << this->ImproveWorstTriangles << "\n";
-  os << indent << "FeatureConstraints: " << this->FeatureConstraints << "\n";
-  os << indent << "DetectFeatures: " << this->DetectFeatures << "\n";
-  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  os << indent << "NormalIterations: " << this->NormalIterations << "\n";
-  os << indent << "NormalWidth: " << this->NormalWidth << "\n";
-  os << indent << "DetailWeight: " << this->DetailWeight << "\n";
-  os << indent << "PreserveVolume: " << this->PreserveVolume << "\n";
-  os << indent << "Twicing: " << this->Twicing << "\n";
-  os << indent << "ComputeNormals: " << this->ComputeNormals << "\n";
-  os << indent << "MeanRadiusRatio: " << this->MeanRadiusRatio << "\n";
-  os << indent << "MinimumRadiusRatio: " << this->MinimumRadiusRatio << "\n";
-  os << indent << "InputMeanRadiusRatio: " << this->InputMeanRadiusRatio << "\n";
-  os << indent << "InputMinimumRadiusRatio: " << this->InputMinimumRadiusRatio << "\n";
-  os << indent << "MaximumDisplacement: " << this->MaximumDisplacement << "\n";
-  os << indent << "RelativeMaximumDisplacement: " << this->RelativeMaximumDisplacement << "\n";
-  os << indent << "RelativeVolumeChange: " << this->RelativeVolumeChange << "\n";
-  os << indent << "FlippedTriangles: " << this->FlippedTriangles << "\n";
-  os << indent << "Iterations: " << this->Iterations << "\n";
-  os << indent << "RelativeResidual: " << this->RelativeResidual << "\n";
-  os << indent << "RelativeHausdorffBound: " << this->RelativeHausdorffBound << "\n";
-  os << indent << "Passes: " << this->Passes << "\n";
-  os << indent << "RolledBackPoints: " << this->RolledBackPoints << "\n";
+  const auto print = [&](const char* name, auto value, auto...)
+  { os << indent << name << ": " << value << "\n"; };
+  const lmo::OptimizerOptions options;
+  Tables::VisitProperties(*this, options, print);
+  Tables::VisitMetrics(*this, {}, print);
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

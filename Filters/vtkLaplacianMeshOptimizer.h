@@ -497,6 +497,9 @@ protected:
   class Engine;
   virtual std::unique_ptr<Engine> MakeEngine();
 
+  /// The tables of properties and metrics.
+  struct Tables;
+
   int Mode = OPTIMIZE_TRIANGLES;
   int LaplacianType = UNIFORM;
   vtkTypeBool RobustLaplacian = 0;

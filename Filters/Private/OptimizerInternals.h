@@ -29,8 +29,6 @@ struct vtkLaplacianMeshOptimizer::Internals
   std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> Engine;
 
   /// \throw lmo::InputError if a property is out of range.
-  void CheckProperties() const;
-
   lmo::OptimizerOptions ReadOptions() const;
 
   /// The point array of an index; null if none is chosen.
@@ -46,10 +44,11 @@ struct vtkLaplacianMeshOptimizer::Internals
 
   void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
-  /// Sets the figures that the Get methods return.
-  void SetFigures(const lmo::OptimizerResult& result) const;
+  /// Sets the metrics that the Get methods return.
+  void SetMetrics(const lmo::OptimizerResult& result) const;
 
-  void WriteFigures(vtkFieldData* fieldData) const;
+  /// Writes them to the field data.
+  void WriteMetrics(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

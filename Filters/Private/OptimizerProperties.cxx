@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptimizerInternals.h"
+#include "OptimizerTables.h"
 #include "PointSelection.h"
 #include "PolyDataConversion.h"
 
@@ -11,9 +12,9 @@
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
-#include <cmath>
 #include <cstring>
 #include <sstream>
+#include <type_traits>
 #include <utility>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -22,89 +23,37 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-void CheckEnumeration(const char* name, int value, int count)
+void CheckValue(const char*, int, lmo::Switch) {}
+
+void CheckValue(const char* name, int value, lmo::Choices choices)
 {
-  if (value < 0 || value >= count)
+  if (value < 0 || value > choices.last)
   {
     throw lmo::InputError(std::string(name) + " is " + std::to_string(value) +
-                          "; choose a value from 0 to " + std::to_string(count - 1) + ".");
+                          "; choose a value from 0 to " + std::to_string(choices.last) + ".");
   }
 }
 
-void CheckNumber(const char* name, double value, bool isValid, const char* range)
+void CheckValue(const char* name, double value, lmo::Range range)
 {
-  if (!isValid || !std::isfinite(value))
+  if (!(value >= range.least && value <= range.largest)) // NaN is not in a range
   {
     std::ostringstream text;
-    text << name << " is " << value << "; it must be " << range << ".";
+    text << name << " is " << value << "; it must be " << range.text << ".";
     throw lmo::InputError(text.str());
   }
 }
 }
 
-void vtkLaplacianMeshOptimizer::Internals::CheckProperties() const
-{
-  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  CheckEnumeration("Mode", filter.Mode, 5);
-  CheckEnumeration("LaplacianType", filter.LaplacianType, 3);
-  CheckEnumeration("PositionWeighting", filter.PositionWeighting, 5);
-  CheckEnumeration("LaplacianWeighting", filter.LaplacianWeighting, 5);
-  CheckEnumeration("BoundaryCondition", filter.BoundaryCondition, 3);
-  CheckEnumeration("SelectionUse", filter.SelectionUse, 2);
-  CheckEnumeration("SolverType", filter.SolverType, 3);
-  CheckNumber("ScaleFactor", filter.ScaleFactor,
-    filter.ScaleFactor >= lmo::SmallestScaleFactor && filter.ScaleFactor <= lmo::LargestWeight,
-    "more than 0, from 1e-40 to 1e40");
-  CheckNumber("GaussianWidth", filter.GaussianWidth, filter.GaussianWidth > 0, "more than 0");
-  CheckNumber("TangentPlaneWeight", filter.TangentPlaneWeight,
-    filter.TangentPlaneWeight >= 0 && filter.TangentPlaneWeight <= lmo::LargestWeight,
-    "0 or more, up to 1e40");
-  CheckNumber(
-    "Tolerance", filter.Tolerance, filter.Tolerance > 0 && filter.Tolerance < 1, "between 0 and 1");
-  CheckNumber("MaximumNumberOfIterations", filter.MaximumNumberOfIterations,
-    filter.MaximumNumberOfIterations > 0, "more than 0");
-  CheckNumber("MaximumDeviation", filter.MaximumDeviation,
-    filter.MaximumDeviation > 0 && filter.MaximumDeviation <= 1, "more than 0, up to 1");
-  CheckNumber("NumberOfPasses", filter.NumberOfPasses, filter.NumberOfPasses > 0, "more than 0");
-  CheckNumber("FeatureAngle", filter.FeatureAngle,
-    filter.FeatureAngle >= 0 && filter.FeatureAngle <= 180, "from 0 to 180");
-  CheckNumber(
-    "NormalIterations", filter.NormalIterations, filter.NormalIterations >= 0, "0 or more");
-  CheckNumber("NormalWidth", filter.NormalWidth, filter.NormalWidth > 0, "more than 0");
-  CheckNumber("DetailWeight", filter.DetailWeight,
-    filter.DetailWeight > 0 && filter.DetailWeight <= lmo::LargestWeight,
-    "more than 0, up to 1e40");
-}
-
 lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
 {
-  const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   lmo::OptimizerOptions options;
-  options.mode = static_cast<lmo::Mode>(filter.Mode);
-  options.laplacianType = static_cast<lmo::LaplacianType>(filter.LaplacianType);
-  options.robustLaplacian = filter.RobustLaplacian;
-  options.positionWeighting = static_cast<lmo::PositionWeighting>(filter.PositionWeighting);
-  options.scaleFactor = filter.ScaleFactor;
-  options.laplacianWeighting = static_cast<lmo::LaplacianWeighting>(filter.LaplacianWeighting);
-  options.gaussianWidth = filter.GaussianWidth;
-  options.modulateByTriangleQuality = filter.ModulateByTriangleQuality;
-  options.tangentPlaneConstraints = filter.TangentPlaneConstraints;
-  options.tangentPlaneWeight = filter.TangentPlaneWeight;
-  options.boundaryCondition = static_cast<lmo::BoundaryCondition>(filter.BoundaryCondition);
-  options.solverType = static_cast<lmo::SolverType>(filter.SolverType);
-  options.solver.tolerance = filter.Tolerance;
-  options.solver.maximumIterations = filter.MaximumNumberOfIterations;
-  options.deviation.maximum = filter.MaximumDeviation;
-  options.deviation.passes = filter.NumberOfPasses;
-  options.deviation.improveWorstTriangles = filter.ImproveWorstTriangles;
-  options.guide.normalIterations = filter.NormalIterations;
-  options.guide.normalWidth = filter.NormalWidth;
-  options.guide.detailWeight = filter.DetailWeight;
-  options.featureConstraints = filter.FeatureConstraints;
-  options.detectFeatures = filter.DetectFeatures;
-  options.featureAngle = filter.FeatureAngle;
-  options.preserveVolume = filter.PreserveVolume;
-  options.twicing = filter.Twicing;
+  Tables::VisitProperties(*this->Filter, options,
+    [](const char* name, auto value, auto validValues, auto&... option)
+    {
+      CheckValue(name, value, validValues);
+      ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...);
+    });
   return options;
 }
 

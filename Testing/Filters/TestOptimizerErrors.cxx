@@ -47,17 +47,8 @@ void CheckRefusal(Checks& c, const std::string& what,
 
   vtkNew<Optimizer> defaults;
   filter->SetMode(defaults->GetMode());
-  filter->SetLaplacianType(defaults->GetLaplacianType());
   filter->SetPositionWeighting(defaults->GetPositionWeighting());
-  filter->SetScaleFactor(defaults->GetScaleFactor());
   filter->SetLaplacianWeighting(defaults->GetLaplacianWeighting());
-  filter->SetGaussianWidth(defaults->GetGaussianWidth());
-  filter->SetTangentPlaneWeight(defaults->GetTangentPlaneWeight());
-  filter->SetBoundaryCondition(defaults->GetBoundaryCondition());
-  filter->SetSelectionUse(defaults->GetSelectionUse());
-  filter->SetSolverType(defaults->GetSolverType());
-  filter->SetTolerance(defaults->GetTolerance());
-  filter->SetMaximumNumberOfIterations(defaults->GetMaximumNumberOfIterations());
   for (int index = 0; index < 4; ++index)
   {
     filter->SetInputArrayToProcess(index, 0, 0, 0, "None");
@@ -228,39 +219,6 @@ void CheckArrays(Checks& c)
   CheckNoArray(c, "prescribed Laplacians", prescribed);
 }
 
-/// Checks that the setter's value is refused by the property's name.
-template <typename Setter, typename Value>
-void CheckValues(
-  Checks& c, const std::string& name, Setter set, std::initializer_list<Value> values)
-{
-  for (const Value value : values)
-  {
-    std::ostringstream text;
-    text << value;
-    CheckRefusal(c, name + " " + text.str(),
-      [&](Optimizer* filter, vtkPolyData*) { (filter->*set)(value); }, { name, text.str() });
-  }
-}
-
-void CheckParameters(Checks& c)
-{
-  const auto enumeration = { -1, 99 };
-  CheckValues(c, "Mode", &Optimizer::SetMode, enumeration);
-  CheckValues(c, "LaplacianType", &Optimizer::SetLaplacianType, enumeration);
-  CheckValues(c, "PositionWeighting", &Optimizer::SetPositionWeighting, enumeration);
-  CheckValues(c, "LaplacianWeighting", &Optimizer::SetLaplacianWeighting, enumeration);
-  CheckValues(c, "BoundaryCondition", &Optimizer::SetBoundaryCondition, enumeration);
-  CheckValues(c, "SelectionUse", &Optimizer::SetSelectionUse, enumeration);
-  CheckValues(c, "SolverType", &Optimizer::SetSolverType, enumeration);
-  CheckValues(
-    c, "ScaleFactor", &Optimizer::SetScaleFactor, { 0.0, -1.0, 1e-300, 1e300, NaN, Infinity });
-  CheckValues(c, "GaussianWidth", &Optimizer::SetGaussianWidth, { 0.0, -1.0, NaN, Infinity });
-  CheckValues(
-    c, "TangentPlaneWeight", &Optimizer::SetTangentPlaneWeight, { -1.0, 1e300, NaN, Infinity });
-  CheckValues(c, "Tolerance", &Optimizer::SetTolerance, { 0.0, 1.0, -1.0, NaN, Infinity });
-  CheckValues(c, "MaximumNumberOfIterations", &Optimizer::SetMaximumNumberOfIterations, { 0, -1 });
-}
-
 /// One process that is asked for a piece would tear the surface at the borders.
 void CheckPieces(Checks& c)
 {
@@ -283,7 +241,6 @@ int TestOptimizerErrors(int, char*[])
   CheckCells(c);
   CheckCoordinates(c);
   CheckArrays(c);
-  CheckParameters(c);
   CheckHugeCoordinates(c);
   CheckOverflow(c);
   CheckNormals(c);

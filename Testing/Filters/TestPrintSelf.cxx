@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 
-#include "vtkLaplacianMeshOptimizer.h"
 #include "vtkMeshLaplacian.h"
 #include "vtkNew.h"
 #include "vtkSurfaceDeviation.h"
@@ -27,17 +26,6 @@ void CheckNames(Checks& c, vtkObject* filter, const std::vector<std::string>& na
 int TestPrintSelf(int, char*[])
 {
   Checks c;
-  CheckNames(c, vtkNew<vtkLaplacianMeshOptimizer>(),
-    { "Mode", "LaplacianType", "RobustLaplacian", "PositionWeighting", "ScaleFactor",
-      "LaplacianWeighting", "GaussianWidth", "ModulateByTriangleQuality", "TangentPlaneConstraints",
-      "TangentPlaneWeight", "BoundaryCondition", "SelectionUse", "SolverType", "Tolerance",
-      "MaximumNumberOfIterations", "MaximumDeviation", "NumberOfPasses", "ImproveWorstTriangles",
-      "FeatureConstraints", "DetectFeatures", "FeatureAngle", "NormalIterations", "NormalWidth",
-      "DetailWeight", "PreserveVolume", "Twicing", "ComputeNormals", "MeanRadiusRatio",
-      "MinimumRadiusRatio", "InputMeanRadiusRatio", "InputMinimumRadiusRatio",
-      "MaximumDisplacement", "RelativeMaximumDisplacement", "RelativeVolumeChange",
-      "FlippedTriangles", "Iterations", "RelativeResidual", "RelativeHausdorffBound", "Passes",
-      "RolledBackPoints" });
   CheckNames(c, vtkNew<vtkSurfaceDeviation>(),
     { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
       "RelativeMeanDistance" });

@@ -14,7 +14,7 @@ namespace lmo
 /// What an optimisation did to the surface: the figures of Fig. 5 and some more.
 struct SurfaceComparison
 {
-  std::shared_ptr<const MeshQuality> before;
+  std::shared_ptr<const MeshQuality> before = std::make_shared<MeshQuality>(); ///< not null
   MeshQuality after;
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
