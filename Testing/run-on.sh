@@ -36,6 +36,7 @@ in_system() {
     root=$1
     shift
     mount -t proc proc "$root/proc"
+    mount -t sysfs sysfs "$root/sys"
     mount -t tmpfs tmpfs "$root/dev/shm"
     # Not by exec: the first process of a namespace takes no signals, which xvfb-run waits for.
     chroot "$root" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin "$@"

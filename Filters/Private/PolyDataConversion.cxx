@@ -97,11 +97,13 @@ Faults FindNotFinite(const Rows& rows)
   return FindFaults(rows, [](const auto& row) { return row.allFinite(); });
 }
 
-/// Points so far out that areas and volumes overflow.
+/// Coordinates beyond this make areas and volumes overflow.
+constexpr double LargestCoordinate = 1e70;
+
 Faults FindHuge(const Points& points)
 {
-  constexpr double largest = 1e70;
-  return FindFaults(points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= largest; });
+  return FindFaults(
+    points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= LargestCoordinate; });
 }
 
 /// \throw InputError if the points are apart, but so little that areas underflow.

@@ -9,7 +9,7 @@ import socket
 with socket.socket() as probe:
     probe.bind(('', 0))
     print(probe.getsockname()[1])
-")
+" | tail -n 1)
 "$1" --server-port="$port" >"$3" 2>&1 &
 server=$!
 trap 'kill $server 2>/dev/null || true' EXIT
