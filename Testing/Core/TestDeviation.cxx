@@ -199,6 +199,14 @@ void CheckWorstTriangles(Checks& c)
   options.deviation.improveWorstTriangles = false;
   const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
   c.Error("raising the worst triangles lowers the mean by .002 at most", mean - raised, 0.002);
+
+  const TestMesh coarse = Globe(20, 50);
+  const double without =
+    Optimize(coarse.V, coarse.T, options, {}, monitor).comparison.after.minimum;
+  options.deviation.improveWorstTriangles = true;
+  const double least = Optimize(coarse.V, coarse.T, options, {}, monitor).comparison.after.minimum;
+  c.Error("raising the worst triangles raises the least radius ratio of a coarse UV sphere by .03",
+    without + 0.03 - least, 0);
 }
 
 void CheckCancel(Checks& c)

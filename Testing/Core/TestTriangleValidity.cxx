@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Checks.h"
+#include "MeshFixtures.h"
+
+#include "Core/Deviation/DeviationGuard.h"
+#include "Core/Deviation/TriangleValidity.h"
+#include "Core/Mesh/TriangleNeighbours.h"
+
+#include <cmath>
+#include <numeric>
+
+using namespace lmo;
+
+namespace
+{
+/// A mesh with a candidate that differs in the position of one vertex.
+class MovedVertex
+{
+public:
+  MovedVertex(const TestMesh& mesh, Index vertex, const Vector3& position)
+    : MovedVertex(mesh, mesh.V, vertex, position)
+  {
+  }
+
+  /// \param admitted the positions before
+  MovedVertex(const TestMesh& mesh, const Points& admitted, Index vertex, const Vector3& position)
+    : T(mesh.T)
+    , Admitted(admitted)
+    , Candidate(admitted)
+    , Topology(BuildTopology(Index(mesh.V.rows()), mesh.T))
+    , Neighbours(FindTriangleNeighbours(this->T, this->Topology))
+    , Validity(this->Admitted, this->Candidate, this->T, this->Topology, this->Neighbours)
+  {
+    this->Candidate.row(vertex) = position;
+    std::vector<Index> all(this->T.rows());
+    std::iota(all.begin(), all.end(), 0);
+    this->Validity.Update(all);
+  }
+
+  Index Turned() const
+  {
+    return this->Count([this](Index t) { return this->Validity.IsTurned(t, t); });
+  }
+  Index Folded() const
+  {
+    return this->Count([this](Index t) { return this->Validity.IsFolded(t); });
+  }
+  Index Inverted() const
+  {
+    return this->Count([this](Index t) { return this->Validity.IsInverted(t); });
+  }
+
+private:
+  template <typename Condition>
+  Index Count(const Condition& condition) const
+  {
+    Index count = 0;
+    for (Index t = 0; t < this->T.rows(); ++t)
+    {
+      count += condition(t);
+    }
+    return count;
+  }
+
+  const Triangles T;
+  const Points Admitted;
+  Points Candidate;
+  const MeshTopology Topology;
+  const Triangles Neighbours;
+  TriangleValidity Validity;
+};
+
+/// The vertex in the middle of a flat ring of six equilateral triangles with unit edges is 0.
+TestMesh Hexagon()
+{
+  TestMesh mesh{ Points::Zero(7, 3), Triangles(6, 3) };
+  for (int k = 0; k < 6; ++k)
+  {
+    const double angle = k * std::acos(0.5);
+    mesh.V.row(k + 1) << std::cos(angle), std::sin(angle), 0;
+    mesh.T.row(k) << 0, k + 1, (k + 1) % 6 + 1;
+  }
+  return mesh;
+}
+
+void CheckAcceptedMotions(Checks& c)
+{
+  const MovedVertex near(Hexagon(), 0, { 0.7, 0.1, 0 });
+  c.True("a vertex that stays in its ring turns, folds and inverts no triangle",
+    near.Turned() == 0 && near.Folded() == 0 && near.Inverted() == 0);
+}
+
+void CheckTurned(Checks& c)
+{
+  // At the height h over the middle, a face makes the angle atan(h / (sqrt(3) / 2)) with the plane;
+  // its cosine is 0.3 at h = 2.75.
+  c.True("a cone whose faces are turned by 72 degrees is accepted",
+    MovedVertex(Hexagon(), 0, { 0, 0, 2.7 }).Turned() == 0);
+  c.True("a cone whose faces are turned by 73 degrees is not",
+    MovedVertex(Hexagon(), 0, { 0, 0, 2.8 }).Turned() == 6);
+}
+
+/// Two triangles with the edge from (0, 0, 0) to (0, 1, 0), one of them flat at x < 0.
+TestMesh Hinge()
+{
+  TestMesh mesh{ Points(4, 3), Triangles(2, 3) };
+  mesh.V << 0, 0, 0, 0, 1, 0, -1, 0.5, 0, 1, 0.5, 0;
+  mesh.T << 0, 1, 2, 1, 0, 3;
+  return mesh;
+}
+
+/// Where the free corner of the hinge lies when it is closed by an angle in degrees.
+Vector3 ClosedBy(double degrees)
+{
+  const double angle = degrees / 180 * std::acos(-1.0);
+  return { std::cos(angle), 0.5, std::sin(angle) };
+}
+
+void CheckFolded(Checks& c)
+{
+  c.True("a hinge that is closed by 119 degrees is accepted",
+    MovedVertex(Hinge(), 3, ClosedBy(119)).Folded() == 0);
+  c.True("a hinge that is closed by 121 degrees is folded",
+    MovedVertex(Hinge(), 3, ClosedBy(121)).Folded() == 2);
+  TestMesh closed = Hinge();
+  closed.V.row(3) = ClosedBy(150);
+  c.True("a hinge that was closed further may be opened",
+    MovedVertex(closed, 3, ClosedBy(140)).Folded() == 0);
+  c.True("a hinge that was closed further may not be closed more",
+    MovedVertex(closed, 3, ClosedBy(155)).Folded() == 2);
+}
+
+void CheckInverted(Checks& c)
+{
+  // Beyond the edge between the ring's first two corners, whose triangle turns over.
+  const Vector3 beyond(0.95 * std::sqrt(3) / 2, 0.95 / 2, 0);
+  const MovedVertex moved(Hexagon(), 0, beyond);
+  c.True(
+    "a vertex that leaves its ring inverts the triangle that it crosses", moved.Inverted() == 1);
+  TestMesh inverted = Hexagon();
+  inverted.V.row(0) = beyond;
+  c.True(
+    "a triangle that was inverted may stay so", MovedVertex(inverted, 0, beyond).Inverted() == 0);
+}
+
+void CheckGuard(Checks& c)
+{
+  const TestMesh mesh = Hexagon();
+  const MeshTopology topology = BuildTopology(Index(mesh.V.rows()), mesh.T);
+  ProgressMonitor monitor;
+  constexpr double distance = 10; // so that validity alone decides
+  DeviationGuard guard(mesh.V, mesh.T, topology, distance, monitor);
+  guard.Move(0, { 0.95 * std::sqrt(3) / 2, 0.95 / 2, 0 });
+  c.True("the guard refuses a triangle that turns over", !guard.Check({ 0 }, 0, monitor).empty());
+}
+}
+
+int TestTriangleValidity(int, char*[])
+{
+  Checks c;
+  CheckAcceptedMotions(c);
+  CheckTurned(c);
+  CheckFolded(c);
+  CheckInverted(c);
+  CheckGuard(c);
+  return c.Result();
+}
