@@ -63,11 +63,11 @@ void vtkSurfaceDeviation::Compare(
 
   output->ShallowCopy(surfaceData);
   output->GetPointData()->AddArray(lmo::MakeArray("Distance", distance.atVertices));
-  vtkFieldData* figures = output->GetFieldData();
-  figures->AddArray(lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
-  figures->AddArray(lmo::MakeArray("RelativeHausdorffDistance", this->RelativeHausdorffDistance));
-  figures->AddArray(lmo::MakeArray("MeanDistance", this->MeanDistance));
-  figures->AddArray(lmo::MakeArray("RelativeMeanDistance", this->RelativeMeanDistance));
+  vtkFieldData* metrics = output->GetFieldData();
+  metrics->AddArray(lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
+  metrics->AddArray(lmo::MakeArray("RelativeHausdorffDistance", this->RelativeHausdorffDistance));
+  metrics->AddArray(lmo::MakeArray("MeanDistance", this->MeanDistance));
+  metrics->AddArray(lmo::MakeArray("RelativeMeanDistance", this->RelativeMeanDistance));
 }
 
 int vtkSurfaceDeviation::RequestData(
