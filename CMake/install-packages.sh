@@ -61,6 +61,7 @@ unpack_vtk() {
   local downloads
   local library
   local package
+  quietly as_root apt-get update -qq
   library=$(dependencies libvtk9-dev '^libvtk9\.')
   install_packages $(dependencies "$library" '^lib' | grep -v vtk9)
   downloads=$(mktemp -d)
