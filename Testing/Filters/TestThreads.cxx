@@ -15,10 +15,11 @@ using namespace lmo;
 
 namespace
 {
-/// Executes the filter ten times on several threads, by each backend that this VTK has.
+/// Executes the filter ten times (once with a sanitizer) on several threads, by each backend that
+/// this VTK has.
 void CheckRepeats(Checks& c, const std::string& name, vtkPolyDataAlgorithm* filter)
 {
-  constexpr int executions = 10;
+  constexpr int executions = 10 / Thinning;
   constexpr int threads = 4;
   vtkSmartPointer<vtkPolyData> first;
   for (const char* backend : { "Sequential", "STDThread", "TBB", "OpenMP" })
