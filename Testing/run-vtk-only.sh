@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds the module against the distribution's VTK alone, in build-vtk/, and runs its C++ and Python
 # tests. Arguments go to ctest.
+#   LMO_TARGETS=T...  builds these targets only, for a choice of tests
 set -euo pipefail
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_dir="$source_dir/build-vtk"
@@ -12,5 +13,6 @@ use_vtk "$build_dir/vtk"
 
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DLMO_PARAVIEW=OFF -DVTK_DIR="$VTK_DIR" -DBUILD_TESTING=ON >/dev/null
-cmake --build "$build_dir" -j2
-ctest --test-dir "$build_dir" --output-on-failure "$@"
+# shellcheck disable=SC2086
+cmake --build "$build_dir" -j2 --target ${LMO_TARGETS:-all}
+ctest --test-dir "$build_dir" -j2 --output-on-failure "$@"

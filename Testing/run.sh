@@ -14,4 +14,4 @@ install_if_available python3-pyvista
 cmake -S "$source_dir" -B "$build_dir" -G Ninja -DPython3_EXECUTABLE=/usr/bin/python3 \
   -DBUILD_TESTING=ON -DLMO_USE_PETSC="${LMO_USE_PETSC:-AUTO}" -DLMO_REAL_MESHES="${LMO_REAL_MESHES:-}" >/dev/null
 cmake --build "$build_dir" -j2
-ctest --test-dir "$build_dir" --output-on-failure "$@"
+ctest --test-dir "$build_dir" -j2 --output-on-failure "$@"
