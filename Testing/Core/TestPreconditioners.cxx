@@ -33,7 +33,7 @@ struct System
     this->problem = SetUpProblem(analysis, options, {}, boundary);
     this->A = std::make_unique<NormalOperator<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(
-      this->problem, this->A->GetStiffness(), this->problem.softEdgeWeights);
+      this->problem, this->A->GetStiffness(), this->problem.laplacian.softEdgeWeights);
   }
 };
 

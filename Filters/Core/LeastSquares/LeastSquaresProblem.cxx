@@ -15,16 +15,18 @@ double Energy(const LeastSquaresProblem& problem, const Points& d)
   double energy = ParallelSum(problem.Size(), 0.0,
     [&](double& sum, Index i)
     {
-      const Vector3 laplacian = -problem.L.rowScale[i] * StiffnessRow(problem.L, x, i);
-      sum += (problem.laplacianWeights[i] * (laplacian - problem.target->row(i))).squaredNorm() +
-             (problem.positionWeights[i] * x.row(i)).squaredNorm();
-      if (problem.tangentPlaneNormals.rows() > 0)
+      const Vector3 laplacian =
+        -problem.laplacian.L.rowScale[i] * StiffnessRow(problem.laplacian.L, x, i);
+      sum += (problem.laplacian.weights[i] * (laplacian - problem.laplacian.target->row(i)))
+               .squaredNorm() +
+             (problem.position.weights[i] * x.row(i)).squaredNorm();
+      if (problem.tangentPlanes.normals.rows() > 0)
       {
-        const double height = problem.tangentPlaneNormals.row(i).dot(x.row(i));
-        sum += std::pow(problem.tangentPlaneWeight * height, 2);
+        const double height = problem.tangentPlanes.normals.row(i).dot(x.row(i));
+        sum += std::pow(problem.tangentPlanes.weight * height, 2);
       }
     });
-  for (const LineRow& row : problem.lineRows)
+  for (const PolylineRow& row : problem.polylines.rows)
   {
     const Vector3 value = 0.5 * (x.row(row.previous) + x.row(row.next)) - x.row(row.vertex);
     energy += (row.weight * (value - row.target)).squaredNorm();
@@ -34,23 +36,23 @@ double Energy(const LeastSquaresProblem& problem, const Points& d)
 
 Vector Diagonal(const LeastSquaresProblem& problem)
 {
-  const Laplacian& L = problem.L;
+  const Laplacian& L = problem.laplacian.L;
   const AdjacencyLists& rings = *L.rings;
   Vector diagonal(problem.Size());
   ParallelFor(problem.Size(),
     [&](Index i)
     {
       const double sum = WeightSum(L, i);
-      double value =
-        problem.positionWeights[i] * problem.positionWeights[i] + sum * sum * RowWeight(problem, i);
+      double value = problem.position.weights[i] * problem.position.weights[i] +
+                     sum * sum * problem.laplacian.RowWeight(i);
       for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
       {
         const double weight = L.edgeWeights ? (*L.edgeWeights)[k] : 1;
-        value += weight * weight * RowWeight(problem, rings.ids[k]);
+        value += weight * weight * problem.laplacian.RowWeight(rings.ids[k]);
       }
       diagonal[i] = value;
     });
-  for (const LineRow& row : problem.lineRows)
+  for (const PolylineRow& row : problem.polylines.rows)
   {
     diagonal[row.previous] += 0.25 * row.weight * row.weight;
     diagonal[row.next] += 0.25 * row.weight * row.weight;
@@ -61,16 +63,16 @@ Vector Diagonal(const LeastSquaresProblem& problem)
 
 Points WeightedRows(const LeastSquaresProblem& problem, const Points& d)
 {
-  const Laplacian& L = problem.L;
+  const Laplacian& L = problem.laplacian.L;
   Points y(problem.Size(), 3);
   ParallelFor(problem.Size(),
     [&](Index i)
     {
-      const double weight = problem.laplacianWeights[i];
-      y.row(i) = L.rowScale[i] * weight * weight * problem.target->row(i);
+      const double weight = problem.laplacian.weights[i];
+      y.row(i) = L.rowScale[i] * weight * weight * problem.laplacian.target->row(i);
       if (d.rows() > 0)
       {
-        y.row(i) += RowWeight(problem, i) * StiffnessRow(L, d, i);
+        y.row(i) += problem.laplacian.RowWeight(i) * StiffnessRow(L, d, i);
       }
     });
   return y;
@@ -82,12 +84,12 @@ Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index
   {
     return Vector3::Zero();
   }
-  const double weight = problem.positionWeights[i];
+  const double weight = problem.position.weights[i];
   Vector3 force = -weight * weight * d.row(i);
-  if (problem.tangentPlaneNormals.rows() > 0)
+  if (problem.tangentPlanes.normals.rows() > 0)
   {
-    const Vector3 normal = problem.tangentPlaneNormals.row(i);
-    const double w = problem.tangentPlaneWeight;
+    const Vector3 normal = problem.tangentPlanes.normals.row(i);
+    const double w = problem.tangentPlanes.weight;
     force -= w * w * normal.dot(d.row(i)) * normal;
   }
   return force;
@@ -95,8 +97,8 @@ Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index
 
 Points LineForces(const LeastSquaresProblem& problem, const Points& d)
 {
-  Points forces = Points::Zero(problem.lineRows.empty() ? 0 : problem.Size(), 3);
-  for (const LineRow& row : problem.lineRows)
+  Points forces = Points::Zero(problem.polylines.rows.empty() ? 0 : problem.Size(), 3);
+  for (const PolylineRow& row : problem.polylines.rows)
   {
     Vector3 rowValue = Vector3::Zero();
     if (d.rows() > 0)

@@ -3,52 +3,33 @@
 #ifndef lmo_LeastSquaresProblem_h
 #define lmo_LeastSquaresProblem_h
 
+#include "Core/LeastSquares/LaplacianTerm.h"
+#include "Core/LeastSquares/PolylineTerm.h"
+#include "Core/LeastSquares/PositionTerm.h"
+#include "Core/LeastSquares/TangentPlaneTerm.h"
 #include "Core/Mesh/DisplacementConstraints.h"
-#include "Core/Operators/Laplacian.h"
 
 namespace lmo
 {
-/// A Laplacian row of a polyline: weight ((d_previous + d_next) / 2 - d_vertex - target).
-struct LineRow
-{
-  Index vertex;
-  Index previous;
-  Index next;
-  double weight;
-  Vector3 target;
-};
-
 /// Eqn. 11 with the tangent-plane rows of Eqn. 15, for the displacement d = V' - V: minimise
 /// |W_L (L d - c)|^2 + sum of the squared line rows + |W_p d|^2 + w^2 sum_i (n_i d_i)^2,
 /// where c = f - L V.
 struct LeastSquaresProblem
 {
-  Laplacian L;
-  std::shared_ptr<const Vector> softEdgeWeights; ///< for multigrid: those of L without the
-                                                 ///< largest; null stands for those of L
-  Vector laplacianWeights;                       ///< diagonal of W_L
-  std::shared_ptr<const Points> target;          ///< c
-  std::vector<LineRow> lineRows;                 ///< for vertices whose row of L is empty
-  Vector positionWeights;                        ///< diagonal of W_p
-  Points tangentPlaneNormals;    ///< n_i; no rows if there are no tangent-plane constraints
-  double tangentPlaneWeight = 0; ///< w
+  LaplacianTerm laplacian;
+  PositionTerm position;
+  PolylineTerm polylines;
+  TangentPlaneTerm tangentPlanes;
   DisplacementConstraints motion;
 
-  Index Size() const { return static_cast<Index>(this->positionWeights.size()); }
+  Index Size() const { return static_cast<Index>(this->position.weights.size()); }
 
   /// True if x, y and z are not three independent systems with one matrix.
   bool IsCoupled() const
   {
-    return this->tangentPlaneNormals.rows() > 0 || this->motion.axes.rows() > 0;
+    return this->tangentPlanes.normals.rows() > 0 || this->motion.axes.rows() > 0;
   }
 };
-
-/// Q = (G W_L)^2: with K = E - S, L^T W_L^2 L is K Q K.
-inline double RowWeight(const LeastSquaresProblem& problem, Index i)
-{
-  const double weight = problem.L.rowScale[i] * problem.laplacianWeights[i];
-  return weight * weight;
-}
 
 /// The value that a solution minimises, from its definition.
 /// \param d no rows stand for 0

@@ -17,7 +17,7 @@ double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, cons
   return std::sqrt(ParallelSum(problem.Size(), 0.0,
     [&, store = store](double& sum, Index i) mutable
     {
-      Vector3 residual = PositionForce(problem, d, i) - StiffnessRow(problem.L, y, i);
+      Vector3 residual = PositionForce(problem, d, i) - StiffnessRow(problem.laplacian.L, y, i);
       if (lineForces.rows() > 0)
       {
         residual += lineForces.row(i);

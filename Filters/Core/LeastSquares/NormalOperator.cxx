@@ -9,7 +9,7 @@ namespace lmo
 template <typename Scalar>
 NormalOperator<Scalar>::NormalOperator(const LeastSquaresProblem& problem)
   : Problem(problem)
-  , K(std::make_shared<const EllpackStiffness<Scalar>>(problem.L))
+  , K(std::make_shared<const EllpackStiffness<Scalar>>(problem.laplacian.L))
   , Q(problem.Size())
   , SquaredPositionWeights(problem.Size())
   , RowValues(4, problem.Size())
@@ -17,8 +17,8 @@ NormalOperator<Scalar>::NormalOperator(const LeastSquaresProblem& problem)
   ParallelFor(problem.Size(),
     [&](Index i)
     {
-      const double weight = problem.positionWeights[i];
-      this->Q[i] = static_cast<Scalar>(RowWeight(problem, i));
+      const double weight = problem.position.weights[i];
+      this->Q[i] = static_cast<Scalar>(problem.laplacian.RowWeight(i));
       this->SquaredPositionWeights[i] = static_cast<Scalar>(weight * weight);
     });
 }
@@ -59,7 +59,7 @@ template <typename Scalar>
 Dots NormalOperator<Scalar>::FinishCoupled(
   const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
-  for (const LineRow& row : this->Problem.lineRows)
+  for (const PolylineRow& row : this->Problem.polylines.rows)
   {
     const PackedRow<Scalar> force =
       Scalar(row.weight * row.weight) *
@@ -68,8 +68,9 @@ Dots NormalOperator<Scalar>::FinishCoupled(
     product.col(row.next) += Scalar(0.5) * force;
     product.col(row.vertex) -= force;
   }
-  const bool hasPlanes = this->Problem.tangentPlaneNormals.rows() > 0;
-  const double squaredWeight = this->Problem.tangentPlaneWeight * this->Problem.tangentPlaneWeight;
+  const bool hasPlanes = this->Problem.tangentPlanes.normals.rows() > 0;
+  const double squaredWeight =
+    this->Problem.tangentPlanes.weight * this->Problem.tangentPlanes.weight;
   const double dot = ParallelSum(this->Size(), 0.0,
     [&](double& sum, Index i)
     {
@@ -77,7 +78,7 @@ Dots NormalOperator<Scalar>::FinishCoupled(
       Vector3 row = product.col(i).template head<3>().template cast<double>();
       if (hasPlanes)
       {
-        const Vector3 normal = this->Problem.tangentPlaneNormals.row(i);
+        const Vector3 normal = this->Problem.tangentPlanes.normals.row(i);
         row += squaredWeight * normal.dot(xi) * normal;
       }
       row = this->Problem.motion.Project(i, row);

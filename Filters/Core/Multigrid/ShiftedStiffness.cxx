@@ -20,8 +20,8 @@ constexpr double SmallestRelativeR = 1e-6;  ///< where W_p = 0: relative to E
 /// Mean of W_p^2 over a vertex and its one-ring.
 double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
 {
-  const AdjacencyLists& rings = *problem.L.rings;
-  const Vector& weights = problem.positionWeights;
+  const AdjacencyLists& rings = *problem.laplacian.L.rings;
+  const Vector& weights = problem.position.weights;
   const double sum = std::accumulate(rings.Begin(i), rings.End(i), weights[i] * weights[i],
     [&](double total, Index j) { return total + weights[j] * weights[j]; });
   return sum / (rings.Size(i) + 1);
@@ -31,7 +31,8 @@ double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
 ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
   std::shared_ptr<const EllpackStiffness<float>> K,
   const std::shared_ptr<const Vector>& softEdgeWeights)
-  : L{ problem.L.rings, softEdgeWeights ? softEdgeWeights : problem.L.edgeWeights, {} }
+  : L{ problem.laplacian.L.rings,
+    softEdgeWeights ? softEdgeWeights : problem.laplacian.L.edgeWeights, {} }
   , K(softEdgeWeights ? std::make_shared<const EllpackStiffness<float>>(L) : std::move(K))
   , shift(problem.Size())
   , diagonal(problem.Size())
@@ -43,8 +44,8 @@ ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
     [&](Index i)
     {
       const double sum = WeightSum(this->L, i);
-      const double ratio = sum > 0 ? WeightSum(problem.L, i) / sum : 1;
-      Q[i] = ratio * ratio * RowWeight(problem, i);
+      const double ratio = sum > 0 ? WeightSum(problem.laplacian.L, i) / sum : 1;
+      Q[i] = ratio * ratio * problem.laplacian.RowWeight(i);
     });
   const double smallestQ = SmallestRelativeQ * (Q.size() > 0 ? Q.maxCoeff() : 1);
   ParallelFor(problem.Size(),
@@ -54,9 +55,9 @@ ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
       const double sum = WeightSum(this->L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
       this->isLeftOut[i] = problem.motion.freedom[i] != DisplacementConstraints::FREE ||
-                           problem.L.rings->Size(i) > LargestRing;
+                           problem.laplacian.L.rings->Size(i) > LargestRing;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
-      const double here = problem.positionWeights[i] / std::sqrt(q);
+      const double here = problem.position.weights[i] / std::sqrt(q);
       const double mean = std::sqrt(MeanSquaredWeight(problem, i) / q);
       this->shift[i] = static_cast<float>(std::max(std::min(mean, std::max(here, sum)), least));
       this->diagonal[i] = this->shift[i] + sum;

@@ -281,8 +281,8 @@ void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
   const double diagonal = this->Mesh.GetDiagonal();
   const double bound = this->Guard.GetBound();
   result.report.relativeBound = bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
-  result.positionWeights = std::move(this->Problem.positionWeights);
-  result.laplacianWeights = std::move(this->Problem.laplacianWeights);
+  result.positionWeights = std::move(this->Problem.position.weights);
+  result.laplacianWeights = std::move(this->Problem.laplacian.weights);
 }
 }
 

@@ -36,8 +36,8 @@ LeastSquaresProblem SetUpTangentialProblem(
 {
   const MeshTopology& topology = mesh.GetTopology();
   LeastSquaresProblem problem;
-  problem.L = mesh.GetLaplacian(LaplacianType::UNIFORM);
-  problem.laplacianWeights = Vector::Zero(topology.vertices);
+  problem.laplacian.L = mesh.GetLaplacian(LaplacianType::UNIFORM);
+  problem.laplacian.weights = Vector::Zero(topology.vertices);
   problem.motion = motion;
   HoldHubs(topology, problem.motion.freedom);
   for (Index i = 0; i < topology.vertices; ++i)
@@ -45,7 +45,7 @@ LeastSquaresProblem SetUpTangentialProblem(
     auto& freedom = problem.motion.freedom[i];
     if (freedom == DisplacementConstraints::FREE)
     {
-      problem.laplacianWeights[i] = 1;
+      problem.laplacian.weights[i] = 1;
       freedom = DisplacementConstraints::IN_PLANE;
     }
   }
@@ -57,7 +57,7 @@ void SetTargets(
 {
   DisplacementConstraints& motion = problem.motion;
   motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
-  problem.lineRows.clear();
+  problem.polylines.rows.clear();
   ForEachLineVertex(features,
     [&](Index i, Index previous, Index next)
     {
@@ -66,7 +66,8 @@ void SetTargets(
       if (motion.freedom[i] == DisplacementConstraints::ALONG_LINE)
       {
         const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
-        problem.lineRows.push_back({ i, previous, next, 1, -laplacian.dot(tangent) * tangent });
+        problem.polylines.rows.push_back(
+          { i, previous, next, 1, -laplacian.dot(tangent) * tangent });
       }
     });
   auto target = std::make_shared<Points>(mesh.GetTopology().vertices, 3);
@@ -74,11 +75,12 @@ void SetTargets(
     [&](Index i)
     {
       // c = f - L_u V with f = n n^T L_u V
-      const Vector3 laplacian = -problem.L.rowScale[i] * StiffnessRow(problem.L, V, i);
+      const Vector3 laplacian =
+        -problem.laplacian.L.rowScale[i] * StiffnessRow(problem.laplacian.L, V, i);
       const Vector3 normal = motion.axes.row(i);
       target->row(i) = laplacian.dot(normal) * normal - laplacian;
     });
-  problem.target = std::move(target);
+  problem.laplacian.target = std::move(target);
 }
 
 void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, const Vector& adaption,
@@ -87,12 +89,12 @@ void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, con
   const Index size = mesh.GetTopology().vertices;
   const Vector& cumulative = mesh.GetCumulativeWeights();
   const Vector quality = MinimumAtVertices(triangleQuality, mesh.GetTriangles(), size);
-  problem.positionWeights.resize(size);
+  problem.position.weights.resize(size);
   ParallelFor(size,
     [&](Index i)
     {
       const double shape = std::min(1.0, quality[i] / GoodQuality);
-      problem.positionWeights[i] =
+      problem.position.weights[i] =
         std::max(LeastPositionWeight, PositionScale * cumulative[i] * adaption[i] * shape);
     });
 }

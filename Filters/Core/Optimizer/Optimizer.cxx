@@ -88,8 +88,8 @@ void SetDisplacements(const Points& V, const OptimizerOptions& options, Optimize
 /// system on what was smoothed away.
 void SmoothTwice(LeastSquaresProblem& problem, const Points& d)
 {
-  problem.target = std::make_shared<const Points>(Apply(problem.L, d));
-  for (LineRow& row : problem.lineRows)
+  problem.laplacian.target = std::make_shared<const Points>(Apply(problem.laplacian.L, d));
+  for (PolylineRow& row : problem.polylines.rows)
   {
     const Vector3 tangent = problem.motion.axes.row(row.vertex);
     const Vector3 laplacian = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
@@ -185,8 +185,8 @@ void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& a
     RestoreVolumes(V, mesh.GetTriangles(), mesh.GetTopology(), mesh.GetComponents(), problem.motion,
       result.positions);
   }
-  result.positionWeights = std::move(problem.positionWeights);
-  result.laplacianWeights = std::move(problem.laplacianWeights);
+  result.positionWeights = std::move(problem.position.weights);
+  result.laplacianWeights = std::move(problem.laplacian.weights);
 }
 
 void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
@@ -215,8 +215,8 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
       FilterNormals(result.positions, T, topology, iterations, width, filtering);
     PartialMonitor following(monitor, (round + 0.3) * share, (round + 1) * share);
     following.Begin("Following normals");
-    const Solution solution = FollowNormals(V, T, topology, normals, problem.L, problem.motion,
-      options.guide.detailWeight, result.positions - V, solver, following);
+    const Solution solution = FollowNormals(V, T, topology, normals, problem.laplacian.L,
+      problem.motion, options.guide.detailWeight, result.positions - V, solver, following);
     result.relativeResidual = 0; // the last one counts
     Report(solution, solver, result);
     result.positions = V + solution.displacement;

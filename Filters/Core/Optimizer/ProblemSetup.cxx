@@ -138,10 +138,10 @@ std::shared_ptr<const Points> ChooseTarget(MeshQuantities& mesh, const Laplacian
 
 /// Rows that spread the vertices evenly along their line and leave its shape alone: the prescribed
 /// Laplacian of the line is its own part across it.
-std::vector<LineRow> SlidingRows(
+std::vector<PolylineRow> SlidingRows(
   const FeatureLines& lines, const Points& V, const Vector& laplacianWeights)
 {
-  std::vector<LineRow> rows;
+  std::vector<PolylineRow> rows;
   ForEachLineVertex(lines,
     [&](Index i, Index previous, Index next)
     {
@@ -248,25 +248,25 @@ LeastSquaresProblem SetUpProblem(MeshQuantities& mesh, const OptimizerOptions& o
   const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
 {
   LeastSquaresProblem problem;
-  problem.L = ChooseLaplacian(mesh, options, lines);
+  problem.laplacian.L = ChooseLaplacian(mesh, options, lines);
   if (UsedLaplacian(options) == LaplacianType::COTANGENT)
   {
-    problem.softEdgeWeights = mesh.GetSoftEdgeWeights();
+    problem.laplacian.softEdgeWeights = mesh.GetSoftEdgeWeights();
   }
-  problem.laplacianWeights = LaplacianWeights(mesh, options, arrays);
-  problem.target = ChooseTarget(mesh, problem.L, options, arrays);
-  problem.positionWeights = PositionWeights(mesh, options, arrays);
+  problem.laplacian.weights = LaplacianWeights(mesh, options, arrays);
+  problem.laplacian.target = ChooseTarget(mesh, problem.laplacian.L, options, arrays);
+  problem.position.weights = PositionWeights(mesh, options, arrays);
   problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
   if (lines)
   {
-    problem.lineRows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacianWeights);
+    problem.polylines.rows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacian.weights);
   }
   if (options.tangentPlaneConstraints)
   {
-    problem.tangentPlaneNormals = TangentPlaneNormals(mesh.GetMeanCurvatureNormals(),
+    problem.tangentPlanes.normals = TangentPlaneNormals(mesh.GetMeanCurvatureNormals(),
       mesh.GetMeanCurvatures(),
       VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
-    problem.tangentPlaneWeight = options.tangentPlaneWeight;
+    problem.tangentPlanes.weight = options.tangentPlaneWeight;
   }
   mesh.ReleaseIntermediateParts(UsedLaplacian(options));
   return problem;

@@ -38,12 +38,12 @@ void CheckDensity(const LeastSquaresProblem& problem)
 {
   constexpr double entriesPerVertex = 500;
   constexpr double affordableEntries = 1e7;
-  const AdjacencyLists& rings = *problem.L.rings;
+  const AdjacencyLists& rings = *problem.laplacian.L.rings;
   double entries = 0;
   Index largest = 0;
   for (Index i = 0; i < problem.Size(); ++i)
   {
-    const double size = problem.L.rowScale[i] != 0 ? rings.Size(i) : 0;
+    const double size = problem.laplacian.L.rowScale[i] != 0 ? rings.Size(i) : 0;
     entries += size * size;
     largest = std::max(largest, rings.Size(i));
   }
@@ -81,12 +81,12 @@ SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
 {
   const Index size = problem.Size();
   std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(size + 9 * problem.lineRows.size());
+  entries.reserve(size + 9 * problem.polylines.rows.size());
   for (Index i = 0; i < size; ++i)
   {
-    entries.emplace_back(i, i, problem.positionWeights[i] * problem.positionWeights[i]);
+    entries.emplace_back(i, i, problem.position.weights[i] * problem.position.weights[i]);
   }
-  for (const LineRow& row : problem.lineRows)
+  for (const PolylineRow& row : problem.polylines.rows)
   {
     const Index ids[3] = { row.previous, row.vertex, row.next };
     const double values[3] = { 0.5 * row.weight, -row.weight, 0.5 * row.weight };
@@ -103,9 +103,9 @@ SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
   Vector Q(size);
   for (Index i = 0; i < size; ++i)
   {
-    Q[i] = RowWeight(problem, i);
+    Q[i] = problem.laplacian.RowWeight(i);
   }
-  const SparseMatrix K = StiffnessMatrix(problem.L);
+  const SparseMatrix K = StiffnessMatrix(problem.laplacian.L);
   const SparseMatrix QK = Q.asDiagonal() * K;
   return A + SparseMatrix(K * QK);
 }
@@ -115,7 +115,7 @@ SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
 SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseMatrix& A)
 {
   const DisplacementConstraints& motion = problem.motion;
-  const bool hasPlanes = problem.tangentPlaneNormals.rows() > 0;
+  const bool hasPlanes = problem.tangentPlanes.normals.rows() > 0;
   std::vector<Eigen::Triplet<double, Index>> entries;
   entries.reserve(9 * A.nonZeros());
   for (Index j = 0; j < A.cols(); ++j)
@@ -126,7 +126,7 @@ SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseM
       Matrix3 block = entry.value() * Matrix3::Identity();
       if (i == j && hasPlanes)
       {
-        const Vector3 normal = problem.tangentPlaneWeight * problem.tangentPlaneNormals.row(i);
+        const Vector3 normal = problem.tangentPlanes.weight * problem.tangentPlanes.normals.row(i);
         block += normal.transpose() * normal;
       }
       for (int d = 0; d < 3; ++d)

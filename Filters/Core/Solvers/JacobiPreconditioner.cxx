@@ -10,7 +10,7 @@ template <typename Scalar>
 JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& problem)
 {
   const Index size = problem.Size();
-  const bool hasPlanes = problem.tangentPlaneNormals.rows() > 0;
+  const bool hasPlanes = problem.tangentPlanes.normals.rows() > 0;
   const Vector diagonal = Diagonal(problem);
   this->InverseDiagonal.resize(size);
   this->Normals.resize(4, hasPlanes ? size : 0);
@@ -23,8 +23,8 @@ JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& pr
       double inverse = freedom == DisplacementConstraints::FIXED ? 0 : 1 / a;
       if (hasPlanes)
       {
-        const double w = problem.tangentPlaneWeight * problem.tangentPlaneWeight;
-        const Vector3 normal = problem.tangentPlaneNormals.row(i);
+        const double w = problem.tangentPlanes.weight * problem.tangentPlanes.weight;
+        const Vector3 normal = problem.tangentPlanes.normals.row(i);
         const bool isFree = freedom == DisplacementConstraints::FREE;
         // Sherman-Morrison: (a I + w n n^T)^-1 = I / a - w / (a (a + w)) n n^T
         this->NormalFactor[i] = static_cast<Scalar>(isFree ? w / (a * (a + w)) : 0);

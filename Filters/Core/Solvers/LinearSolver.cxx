@@ -69,10 +69,11 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
   const double sum = ParallelSum(problem.Size(), 0.0,
     [&](double& total, Index i)
     {
-      const double rowWeight = WeightSum(problem.L, i) * std::sqrt(RowWeight(problem, i));
+      const double rowWeight =
+        WeightSum(problem.laplacian.L, i) * std::sqrt(problem.laplacian.RowWeight(i));
       const bool isFree = problem.motion.freedom[i] != DisplacementConstraints::FIXED;
-      total += isFree && problem.positionWeights[i] < rowWeight
-                 ? problem.positionWeights[i] / rowWeight
+      total += isFree && problem.position.weights[i] < rowWeight
+                 ? problem.position.weights[i] / rowWeight
                  : 1;
     });
   return 11 * problem.Size() / sum;
@@ -94,8 +95,8 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
     return;
   }
   monitor.Report(0);
-  const auto soft =
-    std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness(), problem.softEdgeWeights);
+  const auto soft = std::make_shared<const ShiftedStiffness>(
+    problem, A.GetStiffness(), problem.laplacian.softEdgeWeights);
   Iterate(A,
     BilaplacianPreconditioner<Multigrid>(problem, soft, inverses.GetMultigrid(soft, monitor)),
     options, AffordableMultigridIterations(problem.Size()), monitor, solution);
@@ -105,7 +106,7 @@ void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& o
   }
   monitor.Report(0);
   // What multigrid cannot cope with is nothing to a factorisation.
-  const auto exact = problem.softEdgeWeights
+  const auto exact = problem.laplacian.softEdgeWeights
                        ? std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness())
                        : soft;
   Iterate(A,
