@@ -3,8 +3,8 @@
 #include "vtkMeshLaplacian.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/CotangentQuantities.h"
 #include "Core/Operators/Curvature.h"
-#include "Core/Operators/MeshQuantities.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataOutput.h"
 
@@ -23,22 +23,25 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(lmo::MeshQuantities& mesh, vtkPointData* pointData)
+void AddLaplacians(const lmo::CotangentQuantities& quantities, vtkPointData* pointData)
 {
+  const lmo::MeshQuantities& mesh = quantities.GetMesh();
   const lmo::Points& V = mesh.GetPoints();
   const lmo::MeshTopology& topology = mesh.GetTopology();
+  const std::shared_ptr<const lmo::CotangentWeights> weights = quantities.GetWeights();
+  const lmo::Vector& areas = weights->GetVoronoiAreas();
   const auto laplacian = [&](lmo::LaplacianType type)
-  { return lmo::Apply(mesh.GetLaplacian(type), V); };
+  { return lmo::Apply(quantities.MakeLaplacian(type), V); };
 
   pointData->AddArray(lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
   pointData->AddArray(
     lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
-  pointData->AddArray(lmo::MakeArray("MeanCurvatureNormal", mesh.GetMeanCurvatureNormals()));
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", mesh.GetMeanCurvatures()));
+  pointData->AddArray(
+    lmo::MakeArray("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals()));
+  pointData->AddArray(lmo::MakeArray("MeanCurvature", quantities.GetMeanCurvatures()));
   pointData->AddArray(lmo::MakeArray("GaussianCurvature",
-    lmo::GaussianCurvatures(
-      lmo::AngleDefects(V, mesh.GetTriangles(), topology), mesh.GetVoronoiAreas(), topology)));
-  pointData->AddArray(lmo::MakeArray("VoronoiArea", mesh.GetVoronoiAreas()));
+    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology)));
+  pointData->AddArray(lmo::MakeArray("VoronoiArea", areas));
 }
 }
 
@@ -51,10 +54,9 @@ int vtkMeshLaplacian::RequestData(
     [&]
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
-      lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
-      mesh.SetRobustLaplacian(this->RobustLaplacian);
+      const lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
       output->ShallowCopy(input);
-      AddLaplacians(mesh, output->GetPointData());
+      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), output->GetPointData());
     });
 }
 

@@ -5,7 +5,7 @@
 #include "OperatorFixtures.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
-#include "Core/Operators/MeshQuantities.h"
+#include "Core/Operators/CotangentQuantities.h"
 #include "Core/Optimizer/ProblemSetup.h"
 
 #include <cmath>
@@ -35,9 +35,9 @@ std::vector<Index> BoundaryWithNeighbours(const TestMesh& mesh)
 /// Largest relative difference of kappa at the boundary from its value on the surface.
 double CurvatureError(const TestMesh& mesh, double expected, bool isRobust)
 {
-  MeshQuantities analysis(mesh.V, mesh.T);
-  analysis.SetRobustLaplacian(isRobust);
-  const Vector values = analysis.GetMeanCurvatures()(BoundaryWithNeighbours(mesh));
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  const Vector values =
+    CotangentQuantities(quantities, isRobust).GetMeanCurvatures()(BoundaryWithNeighbours(mesh));
   return LargestMagnitude(values.array() / expected - 1);
 }
 
@@ -53,10 +53,11 @@ double NormalError(const TestMesh& mesh, const Points& expected)
 /// Largest distance of kappa n at the boundary from that of the surface, relative to kappa.
 double CurvatureNormalError(const TestMesh& mesh, const Points& expected)
 {
-  MeshQuantities analysis(mesh.V, mesh.T);
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  const Points normals = CotangentQuantities(quantities, false).ComputeMeanCurvatureNormals();
   const std::vector<Index> boundary = BoundaryWithNeighbours(mesh);
-  return MaximumDistance(analysis.GetMeanCurvatureNormals()(boundary, Eigen::indexing::all),
-           expected(boundary, Eigen::indexing::all)) /
+  return MaximumDistance(
+           normals(boundary, Eigen::indexing::all), expected(boundary, Eigen::indexing::all)) /
          expected.row(0).norm();
 }
 
@@ -103,7 +104,8 @@ void CheckCylinder(Checks& c)
 void CheckWeights(Checks& c)
 {
   const TestMesh mesh = CylinderPatch(2);
-  MeshQuantities analysis(mesh.V, mesh.T);
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  const CotangentQuantities analysis(quantities, false);
   Vector expected = Vector::Ones(169);
   expected[12] = expected[156] = 0;
   OptimizerOptions options;
@@ -125,12 +127,12 @@ void CheckFlatBorder(Checks& c)
   const TestMesh grid = Grid(6, 0.2);
   for (const bool isRobust : { false, true })
   {
-    MeshQuantities analysis(grid.V, grid.T);
-    analysis.SetRobustLaplacian(isRobust);
+    const MeshQuantities quantities(grid.V, grid.T);
+    const CotangentQuantities analysis(quantities, isRobust);
     c.Error("L_c V of a flat sheet is in its plane, also at the border",
-      LargestMagnitude(Apply(analysis.GetLaplacian(LaplacianType::COTANGENT), grid.V).col(2)), 0);
+      LargestMagnitude(Apply(analysis.MakeLaplacian(LaplacianType::COTANGENT), grid.V).col(2)), 0);
     c.Error("a flat sheet has no curvature, also at the border",
-      LargestMagnitude(analysis.GetMeanCurvatureNormals().col(2)), 0);
+      LargestMagnitude(analysis.ComputeMeanCurvatureNormals().col(2)), 0);
   }
 }
 }

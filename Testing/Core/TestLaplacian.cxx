@@ -171,7 +171,8 @@ std::shared_ptr<const Vector> SoftWeights(const Vector3& a, const Vector3& b, co
 {
   TestMesh mesh = EquilateralTriangle();
   mesh.V << a, b, c;
-  return MeshQuantities(mesh.V, mesh.T).GetSoftEdgeWeights();
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  return CotangentWeights(quantities).GetSoftEdgeWeights();
 }
 
 void CheckSoftWeights(Checks& c)

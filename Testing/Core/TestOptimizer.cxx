@@ -282,19 +282,19 @@ void CheckReuse(Checks& c, const std::string& name, const TestMesh& mesh)
   OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
   options.positionWeighting = PositionWeighting::CDF;
   optimizer.Run(options, {}, monitor);
-  const int parts = optimizer.GetMesh().GetNumberOfParts();
+  const int parts = optimizer.GetNumberOfParts();
   options.scaleFactor = 0.5;
   options.solverType = SolverType::AUTOMATIC;
   options.solver.tolerance = 1e-12;
   const OptimizerResult second = optimizer.Run(options, {}, monitor);
   c.True("another scale factor and solver need no new parts: " + name,
-    optimizer.GetMesh().GetNumberOfParts() == parts);
+    optimizer.GetNumberOfParts() == parts);
   c.Error("kept parts give the same result: " + name,
     MaximumDistance(second.positions, Run(mesh, options).positions), 0);
   options.positionWeighting = PositionWeighting::LINEAR;
   optimizer.Run(options, {}, monitor);
   c.True("linear weights need the statistics and components and nothing else: " + name,
-    optimizer.GetMesh().GetNumberOfParts() == parts + 2);
+    optimizer.GetNumberOfParts() == parts + 2);
 }
 
 /// Multigrid hierarchies, factorisations and orders of the unknowns made so far.

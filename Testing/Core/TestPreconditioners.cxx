@@ -28,9 +28,9 @@ struct System
 
   System(const TestMesh& mesh, const OptimizerOptions& options)
   {
-    MeshQuantities analysis(mesh.V, mesh.T);
-    const auto boundary = SlidingLines(analysis, options, {});
-    this->problem = SetUpProblem(analysis, options, {}, boundary);
+    const MeshQuantities quantities(mesh.V, mesh.T);
+    const auto boundary = SlidingLines(quantities, options, {});
+    this->problem = SetUpProblem(CotangentQuantities(quantities, false), options, {}, boundary);
     this->A = std::make_unique<NormalOperator<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(
       this->problem, this->A->GetStiffness(), this->problem.laplacian.softEdgeWeights);

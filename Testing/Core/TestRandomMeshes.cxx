@@ -50,10 +50,10 @@ Sample MakeSample(unsigned seed)
 
 LeastSquaresProblem ProblemOf(const Sample& sample)
 {
-  MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
-  mesh.SetRobustLaplacian(sample.options.robustLaplacian);
+  const MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
+  const CotangentQuantities quantities(mesh, sample.options.robustLaplacian);
   return SetUpProblem(
-    mesh, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
+    quantities, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
 }
 
 double EnergyOf(const Sample& sample, const LeastSquaresProblem& problem, const Points& positions)

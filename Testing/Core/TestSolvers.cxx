@@ -157,8 +157,9 @@ void CheckSingularSystem(Checks& c)
 double EnergyOf(const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
   const Points& V)
 {
-  MeshQuantities analysis(mesh.V, mesh.T);
-  const LeastSquaresProblem problem = SetUpProblem(analysis, options, arrays, {});
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  const LeastSquaresProblem problem =
+    SetUpProblem(CotangentQuantities(quantities, false), options, arrays, {});
   return Energy(problem, V - mesh.V);
 }
 

@@ -49,17 +49,19 @@ double MeanOf(const Vector& quality)
 class Passes
 {
 public:
-  Passes(MeshQuantities& mesh, const OptimizerOptions& options, const FeatureLines& features,
-    const DisplacementConstraints& motion, ProgressMonitor& monitor)
-    : Mesh(mesh)
+  Passes(const CotangentQuantities& quantities, const OptimizerOptions& options,
+    const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor)
+    : Quantities(quantities)
+    , Mesh(quantities.GetMesh())
     , Options(options)
     , Features(features)
-    , Distance(
-        std::max(options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
-    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
-    , Problem(SetUpTangentialProblem(mesh, motion))
-    , Adaption(Vector::Ones(mesh.GetPoints().rows()))
-    , Share(Vector::Zero(mesh.GetPoints().rows()))
+    , Distance(std::max(
+        options.deviation.maximum * this->Mesh.GetDiagonal() - RoundOff(this->Mesh.GetBox()), 0.0))
+    , Guard(this->Mesh.GetPoints(), this->Mesh.GetTriangles(), this->Mesh.GetTopology(),
+        this->Distance, monitor)
+    , Problem(SetUpTangentialProblem(this->Mesh, motion))
+    , Adaption(Vector::Ones(this->Mesh.GetPoints().rows()))
+    , Share(Vector::Zero(this->Mesh.GetPoints().rows()))
   {
     monitor.Report(0);
     this->SetPositionWeights();
@@ -74,7 +76,7 @@ private:
   void SetPositionWeights()
   {
     lmo::SetPositionWeights(
-      this->Mesh, this->Guard.GetAdmittedQuality(), this->Adaption, this->Problem);
+      this->Quantities, this->Guard.GetAdmittedQuality(), this->Adaption, this->Problem);
   }
 
   /// The motion that Eqn. 11 proposes.
@@ -97,7 +99,8 @@ private:
 
   Index CountRolledBack() const;
 
-  MeshQuantities& Mesh;
+  const CotangentQuantities& Quantities;
+  const MeshQuantities& Mesh;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
   const double Distance; ///< allowed
@@ -286,18 +289,19 @@ void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
 }
 }
 
-DeviationResult OptimizeWithinDeviation(MeshQuantities& mesh, const OptimizerOptions& options,
-  const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor)
+DeviationResult OptimizeWithinDeviation(const CotangentQuantities& quantities,
+  const OptimizerOptions& options, const FeatureLines& features,
+  const DisplacementConstraints& motion, ProgressMonitor& monitor)
 {
   DeviationResult result;
   try
   {
-    Passes(mesh, options, features, motion, monitor).Run(monitor, result);
+    Passes(quantities, options, features, motion, monitor).Run(monitor, result);
   }
   catch (const Cancelled&)
   {
-    result.positions = mesh.GetPoints();
-    result.positionWeights = result.laplacianWeights = Vector::Zero(mesh.GetPoints().rows());
+    result.positions = quantities.GetMesh().GetPoints();
+    result.positionWeights = result.laplacianWeights = Vector::Zero(result.positions.rows());
     result.isCancelled = true;
   }
   return result;

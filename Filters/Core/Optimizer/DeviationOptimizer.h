@@ -5,7 +5,7 @@
 
 #include "Core/Mesh/DisplacementConstraints.h"
 #include "Core/Mesh/FeatureLines.h"
-#include "Core/Operators/MeshQuantities.h"
+#include "Core/Operators/CotangentQuantities.h"
 #include "Core/Optimizer/OptimizerOptions.h"
 
 namespace lmo
@@ -36,8 +36,9 @@ struct DeviationResult
 /// vertex by vertex, as much of the motion as leaves the error or spoils a triangle.
 /// \param features lines along which vertices slide
 /// \param motion FIXED, ALONG_LINE or FREE, which here is in the tangent plane
-DeviationResult OptimizeWithinDeviation(MeshQuantities& mesh, const OptimizerOptions& options,
-  const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor);
+DeviationResult OptimizeWithinDeviation(const CotangentQuantities& quantities,
+  const OptimizerOptions& options, const FeatureLines& features,
+  const DisplacementConstraints& motion, ProgressMonitor& monitor);
 }
 
 #endif

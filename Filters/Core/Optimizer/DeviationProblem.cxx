@@ -32,11 +32,11 @@ void HoldHubs(const MeshTopology& topology, Mask& freedom)
 }
 
 LeastSquaresProblem SetUpTangentialProblem(
-  MeshQuantities& mesh, const DisplacementConstraints& motion)
+  const MeshQuantities& mesh, const DisplacementConstraints& motion)
 {
   const MeshTopology& topology = mesh.GetTopology();
   LeastSquaresProblem problem;
-  problem.laplacian.L = mesh.GetLaplacian(LaplacianType::UNIFORM);
+  problem.laplacian.L = mesh.GetUniformLaplacian();
   problem.laplacian.weights = Vector::Zero(topology.vertices);
   problem.motion = motion;
   HoldHubs(topology, problem.motion.freedom);
@@ -52,8 +52,8 @@ LeastSquaresProblem SetUpTangentialProblem(
   return problem;
 }
 
-void SetTargets(
-  MeshQuantities& mesh, const FeatureLines& features, const Points& V, LeastSquaresProblem& problem)
+void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
+  LeastSquaresProblem& problem)
 {
   DisplacementConstraints& motion = problem.motion;
   motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
@@ -83,11 +83,12 @@ void SetTargets(
   problem.laplacian.target = std::move(target);
 }
 
-void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, const Vector& adaption,
-  LeastSquaresProblem& problem)
+void SetPositionWeights(const CotangentQuantities& quantities, const Vector& triangleQuality,
+  const Vector& adaption, LeastSquaresProblem& problem)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   const Index size = mesh.GetTopology().vertices;
-  const Vector& cumulative = mesh.GetCumulativeWeights();
+  const Vector& cumulative = quantities.GetCumulativeWeights();
   const Vector quality = MinimumAtVertices(triangleQuality, mesh.GetTriangles(), size);
   problem.position.weights.resize(size);
   ParallelFor(size,

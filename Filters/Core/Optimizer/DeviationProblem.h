@@ -5,25 +5,25 @@
 
 #include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Mesh/FeatureLines.h"
-#include "Core/Operators/MeshQuantities.h"
+#include "Core/Operators/CotangentQuantities.h"
 
 namespace lmo
 {
 /// The problem of a pass within a deviation (Eqn. 11), without its targets and position weights:
 /// free vertices move in their tangent planes, hubs and their neighbours stay.
 LeastSquaresProblem SetUpTangentialProblem(
-  MeshQuantities& mesh, const DisplacementConstraints& motion);
+  const MeshQuantities& mesh, const DisplacementConstraints& motion);
 
 /// Sets the part of L_u V along the normals as the target, and the axes of motion.
 /// \param V where the vertices are now
-void SetTargets(MeshQuantities& mesh, const FeatureLines& features, const Points& V,
+void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
   LeastSquaresProblem& problem);
 
 /// Sets W_p: cumulative weights, smaller at bad triangles.
 /// \param triangleQuality radius ratios as they are now
 /// \param adaption factor of each vertex
-void SetPositionWeights(MeshQuantities& mesh, const Vector& triangleQuality, const Vector& adaption,
-  LeastSquaresProblem& problem);
+void SetPositionWeights(const CotangentQuantities& quantities, const Vector& triangleQuality,
+  const Vector& adaption, LeastSquaresProblem& problem);
 }
 
 #endif

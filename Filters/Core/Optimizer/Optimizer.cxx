@@ -58,7 +58,8 @@ void Restore(const std::vector<Index>& oldNumbers, Values& values)
 }
 
 /// Moves vertices on lines to the closest points of these.
-void Project(const std::optional<FeatureLines>& lines, MeshQuantities& mesh, Points& positions)
+void Project(
+  const std::optional<FeatureLines>& lines, const MeshQuantities& mesh, Points& positions)
 {
   if (lines)
   {
@@ -164,8 +165,8 @@ OptimizerResult Optimizer::Run(
 void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
   const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result)
 {
-  MeshQuantities& mesh = *this->Mesh;
-  LeastSquaresProblem problem = SetUpProblem(mesh, options, arrays, lines);
+  const MeshQuantities& mesh = *this->Mesh;
+  LeastSquaresProblem problem = SetUpProblem(*this->Quantities, options, arrays, lines);
   monitor.Begin("Solving");
   Solution solution = this->Solver(problem, options.solverType, options.solver, monitor);
   Report(solution, options.solver, result);
@@ -192,7 +193,7 @@ void Optimizer::SolveOnce(const OptimizerOptions& options, const VertexArrays& a
 void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
   const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result)
 {
-  MeshQuantities& mesh = *this->Mesh;
+  const MeshQuantities& mesh = *this->Mesh;
   const OptimizerOptions smoothing = FirstSmoothing(options);
   const double share = 1.0 / (GuidedRounds + 1); // of the time
   PartialMonitor first(monitor, 0, share);
@@ -201,7 +202,7 @@ void Optimizer::FollowFilteredNormals(const OptimizerOptions& options, const Ver
   const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
   const MeshTopology& topology = mesh.GetTopology();
-  const LeastSquaresProblem problem = SetUpProblem(mesh, smoothing, arrays, lines);
+  const LeastSquaresProblem problem = SetUpProblem(*this->Quantities, smoothing, arrays, lines);
   const int iterations = options.guide.normalIterations / 2 + options.guide.normalIterations % 2;
   double width = options.guide.normalWidth;
   SolverOptions solver = options.solver;
@@ -235,7 +236,8 @@ void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const Verte
   const DisplacementConstraints motion =
     ChooseMotion(this->Mesh->GetTopology(), options, arrays, lines);
   monitor.Report(0);
-  DeviationResult deviation = OptimizeWithinDeviation(*this->Mesh, options, lines, motion, monitor);
+  DeviationResult deviation =
+    OptimizeWithinDeviation(*this->Quantities, options, lines, motion, monitor);
   result.positions = std::move(deviation.positions);
   result.positionWeights = std::move(deviation.positionWeights);
   result.laplacianWeights = std::move(deviation.laplacianWeights);
@@ -245,13 +247,24 @@ void Optimizer::StayWithinDeviation(const OptimizerOptions& options, const Verte
   result.isCancelled = deviation.isCancelled;
 }
 
+int Optimizer::GetNumberOfParts() const
+{
+  return this->Mesh->GetNumberOfParts() +
+         (this->Quantities ? this->Quantities->GetNumberOfParts() : 0);
+}
+
 OptimizerResult Optimizer::RunInOrder(
   const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   monitor.Begin("Setting up the equations");
-  MeshQuantities& mesh = *this->Mesh;
-  mesh.SetRobustLaplacian(options.robustLaplacian);
-  mesh.PrepareRobustLaplacian(options.laplacianType, monitor);
+  const MeshQuantities& mesh = *this->Mesh;
+  if (!this->Quantities || this->Quantities->IsRobust() != options.robustLaplacian)
+  {
+    this->Weights.reset();
+    this->Quantities = std::make_unique<CotangentQuantities>(mesh, options.robustLaplacian);
+  }
+  this->Weights = this->Quantities->Prepare(
+    UsedLaplacian(options), options.mode == Mode::OPTIMIZE_TRIANGLES, monitor);
   const std::optional<FeatureLines> lines = SlidingLines(mesh, options, arrays);
   OptimizerResult result;
   switch (options.mode)
@@ -272,7 +285,7 @@ OptimizerResult Optimizer::RunInOrder(
   const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
   SetDisplacements(V, options, result);
-  result.meanCurvatures = mesh.GetMeanCurvatures();
+  result.meanCurvatures = this->Quantities->GetMeanCurvatures();
   if (lines && HasFeatures(options))
   {
     result.featureClass = Eigen::Map<const Eigen::Matrix<unsigned char, Eigen::Dynamic, 1>>(

@@ -5,6 +5,7 @@
 
 #include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Mesh/VertexOrder.h"
+#include "Core/Operators/CotangentQuantities.h"
 #include "Core/Optimizer/DeviationOptimizer.h"
 #include "Core/Optimizer/OptimizerOptions.h"
 #include "Core/Solvers/PreconditionerCache.h"
@@ -60,6 +61,9 @@ public:
   /// The mesh, perhaps renumbered.
   const MeshQuantities& GetMesh() const { return *this->Mesh; }
 
+  /// How many quantities have been computed so far.
+  int GetNumberOfParts() const;
+
   const PreconditionerCache& GetInverses() const { return this->Inverses; }
 
 private:
@@ -79,7 +83,9 @@ private:
     const FeatureLines& lines, ProgressMonitor& monitor, OptimizerResult& result);
 
   MeshOrder Order;
-  std::unique_ptr<MeshQuantities> Mesh;
+  std::unique_ptr<const MeshQuantities> Mesh;
+  std::unique_ptr<const CotangentQuantities> Quantities; ///< of the last run
+  std::shared_ptr<const CotangentWeights> Weights; ///< null if the last run's L has none of them
   PreconditionerCache Inverses;
   ProblemSolver Solver;
 };

@@ -32,17 +32,18 @@ const Values& Require(
 }
 
 /// Sections 5 and 6: the diagonal of W_p before W_t.
-Vector SchemePositionWeights(
-  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+Vector SchemePositionWeights(const CotangentQuantities& quantities, const OptimizerOptions& options,
+  const VertexArrays& arrays)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   const char* const needed = "The position weighting needs a point array";
   const double s = options.scaleFactor;
   switch (options.positionWeighting)
   {
     case PositionWeighting::LINEAR:
-      return s * LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics());
+      return s * LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics());
     case PositionWeighting::CDF:
-      return s * mesh.GetCumulativeWeights();
+      return s * quantities.GetCumulativeWeights();
     case PositionWeighting::ANCHORS:
       return s * AnchorWeights(Require(mesh, arrays.positionWeights, needed));
     case PositionWeighting::ARRAY:
@@ -66,17 +67,13 @@ Mask FixedVertices(
   return isFixed;
 }
 
-LaplacianType UsedLaplacian(const OptimizerOptions& options)
-{
-  return options.mode == Mode::OPTIMIZE_TRIANGLES ? LaplacianType::UNIFORM : options.laplacianType;
-}
-
 /// L of section 4, without rows at vertices on lines and at a boundary that is not free.
-Laplacian ChooseLaplacian(
-  MeshQuantities& mesh, const OptimizerOptions& options, const std::optional<FeatureLines>& lines)
+Laplacian ChooseLaplacian(const CotangentQuantities& quantities, const OptimizerOptions& options,
+  const std::optional<FeatureLines>& lines)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   const LaplacianType type = UsedLaplacian(options);
-  Laplacian L = mesh.GetLaplacian(type);
+  Laplacian L = quantities.MakeLaplacian(type);
   if (type == LaplacianType::MEAN_CURVATURE)
   {
     L.rowScale *= SquaredLengthScale(L, mesh.GetSubdomain());
@@ -98,7 +95,7 @@ Laplacian ChooseLaplacian(
 
 /// Between regions, between tagged vertices, or detected.
 AdjacencyLists FeatureEdges(
-  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();
   if (arrays.regions)
@@ -120,12 +117,13 @@ AdjacencyLists FeatureEdges(
 }
 
 /// c = f - L V, with f of section 4.
-std::shared_ptr<const Points> ChooseTarget(MeshQuantities& mesh, const Laplacian& L,
-  const OptimizerOptions& options, const VertexArrays& arrays)
+std::shared_ptr<const Points> ChooseTarget(const CotangentQuantities& quantities,
+  const Laplacian& L, const OptimizerOptions& options, const VertexArrays& arrays)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   if (options.mode == Mode::OPTIMIZE_TRIANGLES)
   {
-    return mesh.GetDetailTarget();
+    return quantities.GetDetailTarget();
   }
   Points target = -Apply(L, mesh.GetPoints());
   if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
@@ -153,11 +151,18 @@ std::vector<PolylineRow> SlidingRows(
 }
 }
 
-Vector PositionWeights(
-  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+LaplacianType UsedLaplacian(const OptimizerOptions& options)
 {
+  const bool isChosen = options.mode == Mode::SMOOTH || options.mode == Mode::PRESCRIBED_LAPLACIANS;
+  return isChosen ? options.laplacianType : LaplacianType::UNIFORM;
+}
+
+Vector PositionWeights(const CotangentQuantities& quantities, const OptimizerOptions& options,
+  const VertexArrays& arrays)
+{
+  const MeshQuantities& mesh = quantities.GetMesh();
   const MeshTopology& topology = mesh.GetTopology();
-  Vector weights = SchemePositionWeights(mesh, options, arrays);
+  Vector weights = SchemePositionWeights(quantities, options, arrays);
   if (options.modulateByTriangleQuality)
   {
     weights.array() *= mesh.GetQuality()->vertices.array().cwiseMax(0);
@@ -173,18 +178,20 @@ Vector PositionWeights(
   return weights;
 }
 
-Vector LaplacianWeights(
-  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+Vector LaplacianWeights(const CotangentQuantities& quantities, const OptimizerOptions& options,
+  const VertexArrays& arrays)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   switch (options.laplacianWeighting)
   {
     case LaplacianWeighting::LINEAR_COMPLEMENT:
-      return ComplementWeights(LinearWeights(mesh.GetMeanCurvatures(), mesh.GetStatistics()));
+      return ComplementWeights(
+        LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics()));
     case LaplacianWeighting::CDF_COMPLEMENT:
-      return ComplementWeights(mesh.GetCumulativeWeights());
+      return ComplementWeights(quantities.GetCumulativeWeights());
     case LaplacianWeighting::GAUSSIAN:
-      return GaussianWeights(
-        mesh.GetMeanCurvatures(), options.gaussianWidth * mesh.GetStatistics().threshold);
+      return GaussianWeights(quantities.GetMeanCurvatures(),
+        options.gaussianWidth * quantities.GetStatistics().threshold);
     case LaplacianWeighting::ARRAY:
       return Require(mesh, arrays.laplacianWeights, "The Laplacian weighting needs a point array");
     default:
@@ -199,7 +206,7 @@ bool HasFeatures(const OptimizerOptions& options)
 }
 
 std::optional<FeatureLines> SlidingLines(
-  MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
+  const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const bool hasFeatures = HasFeatures(options);
   const bool hasBoundary =
@@ -244,18 +251,20 @@ DisplacementConstraints ChooseMotion(const MeshTopology& topology, const Optimiz
   return motion;
 }
 
-LeastSquaresProblem SetUpProblem(MeshQuantities& mesh, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities,
+  const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines)
 {
+  const MeshQuantities& mesh = quantities.GetMesh();
   LeastSquaresProblem problem;
-  problem.laplacian.L = ChooseLaplacian(mesh, options, lines);
+  problem.laplacian.L = ChooseLaplacian(quantities, options, lines);
   if (UsedLaplacian(options) == LaplacianType::COTANGENT)
   {
-    problem.laplacian.softEdgeWeights = mesh.GetSoftEdgeWeights();
+    problem.laplacian.softEdgeWeights = quantities.GetWeights()->GetSoftEdgeWeights();
   }
-  problem.laplacian.weights = LaplacianWeights(mesh, options, arrays);
-  problem.laplacian.target = ChooseTarget(mesh, problem.laplacian.L, options, arrays);
-  problem.position.weights = PositionWeights(mesh, options, arrays);
+  problem.laplacian.weights = LaplacianWeights(quantities, options, arrays);
+  problem.laplacian.target = ChooseTarget(quantities, problem.laplacian.L, options, arrays);
+  problem.position.weights = PositionWeights(quantities, options, arrays);
   problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
   if (lines)
   {
@@ -263,12 +272,11 @@ LeastSquaresProblem SetUpProblem(MeshQuantities& mesh, const OptimizerOptions& o
   }
   if (options.tangentPlaneConstraints)
   {
-    problem.tangentPlanes.normals = TangentPlaneNormals(mesh.GetMeanCurvatureNormals(),
-      mesh.GetMeanCurvatures(),
+    problem.tangentPlanes.normals = TangentPlaneNormals(quantities.ComputeMeanCurvatureNormals(),
+      quantities.GetMeanCurvatures(),
       VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
     problem.tangentPlanes.weight = options.tangentPlaneWeight;
   }
-  mesh.ReleaseIntermediateParts(UsedLaplacian(options));
   return problem;
 }
 }

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_CotangentWeights_h
+#define lmo_CotangentWeights_h
+
+#include "Core/Operators/MeshQuantities.h"
+#include "Core/Operators/RobustLaplacian.h"
+
+namespace lmo
+{
+/// What L_c and L_ck of a mesh are made of: edge weights and Voronoi areas.
+class CotangentWeights : public LazyParts
+{
+public:
+  /// The weights of Eqn. 4.
+  /// \param mesh must live longer
+  explicit CotangentWeights(const MeshQuantities& mesh);
+
+  /// \param weights what ComputeRobustWeights() returned for \a mesh
+  CotangentWeights(const MeshQuantities& mesh, RobustWeights weights);
+
+  const Vector& GetVoronoiAreas() const { return this->Weights.voronoiAreas; }
+
+  /// L_c and L_ck.
+  Laplacian MakeCotangentLaplacian() const;
+  Laplacian MakeMeanCurvatureLaplacian() const;
+
+  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, and for robust weights.
+  std::shared_ptr<const Vector> GetSoftEdgeWeights() const;
+
+private:
+  const MeshQuantities& Mesh;
+  const bool IsRobust;
+  const RobustWeights Weights;
+  mutable std::optional<std::shared_ptr<const Vector>> SoftWeights;
+};
+}
+
+#endif
