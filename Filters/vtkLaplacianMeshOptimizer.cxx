@@ -3,8 +3,9 @@
 #include "vtkLaplacianMeshOptimizer.h"
 
 #include "Private/FilterSupport.h"
-#include "Private/OptimizerInternals.h"
+#include "Private/OptimizerSession.h"
 #include "Private/OptimizerTables.h"
+#include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
@@ -28,42 +29,30 @@ VTK_ABI_NAMESPACE_BEGIN
 vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
-  : State(new Internals(this))
 {
   this->SetNumberOfInputPorts(2);
 }
 
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
 
-std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkLaplacianMeshOptimizer::MakeEngine()
+std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkLaplacianMeshOptimizer::MakeSession()
 {
-  return std::make_unique<Engine>(this);
+  return std::make_unique<Session>(this);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::Execute(
+void vtkLaplacianMeshOptimizer::Session::Execute(
   vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces)
 {
-  if (!this->Engine)
-  {
-    this->Engine = this->Filter->MakeEngine();
-  }
-  this->Engine->CheckPieces(pieces);
+  this->CheckPieces(pieces);
   lmo::OptimizerOptions options;
-  lmo::VertexArrays arrays;
-  this->Engine->Try(
-    [&]
-    {
-      options = this->ReadOptions();
-      arrays = this->ReadArrays(input, selection);
-    });
-  const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
-  options.computeNormals = this->Filter->ComputeNormals && hasNormals;
-  options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
-  const std::unique_ptr<lmo::ProgressMonitor> monitor = this->Engine->MakeMonitor();
+  this->Try([&] { options = this->ReadOptions(input); });
+  const std::unique_ptr<lmo::ProgressMonitor> monitor = this->MakeMonitor();
   monitor->Begin("Reading the mesh");
-  this->Engine->SetInput(input);
-  lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
-  this->Engine->Try([&] { lmo::CheckRange(result.positions); });
+  this->SetInput(input);
+  lmo::VertexArrays arrays;
+  this->Try([&] { arrays = this->ReadArrays(input, selection); });
+  lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
+  this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
   if (!result.isConverged)
   {
     vtkWarningWithObjectMacro(this->Filter,
@@ -80,44 +69,47 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
     monitor->Begin("Writing the result");
   }
   output->ShallowCopy(input);
-  this->SetMetrics(result);
+  SetMetrics(this->Filter, result);
   this->WriteMetrics(result, output->GetFieldData());
   this->WritePoints(std::move(result), input, output);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::WritePoints(
+void vtkLaplacianMeshOptimizer::Session::WritePoints(
   lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const
 {
+  const lmo::MeshNumbering& numbering = this->Numbering;
+  vtkPointData* pointData = output->GetPointData();
+  const auto add = [&](const char* name, auto& values)
+  { pointData->AddArray(lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())
   {
-    output->SetPoints(lmo::MakePoints(std::move(result.positions), input->GetPoints()));
+    output->SetPoints(lmo::MakePoints(std::move(result.positions), numbering, input->GetPoints()));
   }
-  vtkPointData* pointData = output->GetPointData();
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", std::move(result.meanCurvatures)));
-  pointData->AddArray(lmo::MakeArray("PositionWeight", std::move(result.positionWeights)));
-  pointData->AddArray(lmo::MakeArray("LaplacianWeight", std::move(result.laplacianWeights)));
-  pointData->AddArray(lmo::MakeArray("Displacement", std::move(result.displacements)));
+  add("MeanCurvature", result.meanCurvatures);
+  add("PositionWeight", result.positionWeights);
+  add("LaplacianWeight", result.laplacianWeights);
+  add("Displacement", result.displacements);
   if (result.featureClass.rows() > 0)
   {
-    pointData->AddArray(lmo::MakeArray("FeatureClass", std::move(result.featureClass)));
+    add("FeatureClass", result.featureClass);
   }
   if (result.normals.rows() > 0)
   {
-    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
+    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals, numbering));
   }
-  const lmo::TriangleCells& cells = this->Engine->GetTriangleCells();
-  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, cells, output);
-  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, output);
+  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, output);
+  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, output);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::SetMetrics(const lmo::OptimizerResult& result) const
+void vtkLaplacianMeshOptimizer::Session::SetMetrics(
+  vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result)
 {
-  Tables::VisitMetrics(*this->Filter, result,
+  Tables::VisitMetrics(*filter, result,
     [](const char*, auto& value, auto newValue, bool = true)
     { value = static_cast<std::decay_t<decltype(value)>>(newValue); });
 }
 
-void vtkLaplacianMeshOptimizer::Internals::WriteMetrics(
+void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
   const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
 {
   Tables::VisitMetrics(*this->Filter, result,
@@ -159,7 +151,7 @@ int vtkLaplacianMeshOptimizer::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // ParaView reads the metrics before it executes the filter again.
-  this->State->SetMetrics({});
+  Session::SetMetrics(this, {});
   return this->Superclass::RequestInformation(request, inputVector, outputVector);
 }
 
@@ -174,6 +166,10 @@ int vtkLaplacianMeshOptimizer::RequestData(
   const int pieces = request->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())
                        ? request->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())
                        : 1;
+  if (!this->State)
+  {
+    this->State = this->MakeSession();
+  }
   return lmo::RunFilter(
     this, input, output, [&] { this->State->Execute(input, selection, output, pieces); });
 }

@@ -493,9 +493,9 @@ protected:
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// What the input is optimized by, made before the first execution.
-  class Engine;
-  virtual std::unique_ptr<Engine> MakeEngine();
+  /// What executes the filter and keeps state between executions, made before the first one.
+  class Session;
+  virtual std::unique_ptr<Session> MakeSession();
 
   /// The tables of properties and metrics.
   struct Tables;
@@ -546,8 +546,7 @@ private:
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkLaplacianMeshOptimizer&) = delete;
 
-  struct Internals;
-  std::unique_ptr<Internals> State;
+  std::unique_ptr<Session> State;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -6,6 +6,7 @@
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Operators/Curvature.h"
 #include "Private/FilterSupport.h"
+#include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
@@ -23,25 +24,26 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(const lmo::CotangentQuantities& quantities, vtkPointData* pointData)
+void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNumbering& numbering,
+  vtkPointData* pointData)
 {
   const lmo::MeshQuantities& mesh = quantities.GetMesh();
   const lmo::Points& V = mesh.GetPoints();
   const lmo::MeshTopology& topology = mesh.GetTopology();
   const std::shared_ptr<const lmo::CotangentWeights> weights = quantities.GetWeights();
   const lmo::Vector& areas = weights->GetVoronoiAreas();
+  const auto add = [&](const char* name, auto values)
+  { pointData->AddArray(lmo::MakeArray(name, std::move(values), numbering)); };
   const auto laplacian = [&](lmo::LaplacianType type)
   { return lmo::Apply(quantities.MakeLaplacian(type), V); };
 
-  pointData->AddArray(lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
-  pointData->AddArray(
-    lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
-  pointData->AddArray(
-    lmo::MakeArray("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals()));
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", quantities.GetMeanCurvatures()));
-  pointData->AddArray(lmo::MakeArray("GaussianCurvature",
-    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology)));
-  pointData->AddArray(lmo::MakeArray("VoronoiArea", areas));
+  add("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM));
+  add("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT));
+  add("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals());
+  add("MeanCurvature", quantities.GetMeanCurvatures());
+  add("GaussianCurvature",
+    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology));
+  add("VoronoiArea", areas);
 }
 }
 
@@ -56,7 +58,8 @@ int vtkMeshLaplacian::RequestData(
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
       const lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
       output->ShallowCopy(input);
-      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), output->GetPointData());
+      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), surface.numbering,
+        output->GetPointData());
     });
 }
 

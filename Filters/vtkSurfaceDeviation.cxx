@@ -62,7 +62,8 @@ void vtkSurfaceDeviation::Compare(
   this->RelativeMeanDistance = diagonal > 0 ? this->MeanDistance / diagonal : 0;
 
   output->ShallowCopy(surfaceData);
-  output->GetPointData()->AddArray(lmo::MakeArray("Distance", distance.atVertices));
+  output->GetPointData()->AddArray(
+    lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
   vtkFieldData* metrics = output->GetFieldData();
   metrics->AddArray(lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
   metrics->AddArray(lmo::MakeArray("RelativeHausdorffDistance", this->RelativeHausdorffDistance));

@@ -4,6 +4,7 @@
 
 #include "Core/Mesh/TriangleQuality.h"
 #include "Private/FilterSupport.h"
+#include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
 
 #include "vtkDoubleArray.h"
@@ -32,7 +33,7 @@ int vtkTriangleRadiusRatio::RequestData(
       this->MeanRadiusRatio = quality.mean;
       this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);
-      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.triangleCells, output);
+      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.numbering, output);
       output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", quality.mean));
       output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
     });

@@ -21,6 +21,20 @@ std::optional<Values> FromPiece(
   return mesh.FromPiece(array ? *array : Values(0, columns));
 }
 
+/// All arrays but those of features, which CheckOptions() refuses. Another one does not compile
+/// here before it has been thought of.
+VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
+{
+  const auto& [positionWeights, laplacianWeights, prescribedLaplacians, fixedPoints, featurePoints,
+    regions] = arrays;
+  VertexArrays result;
+  result.positionWeights = FromPiece(mesh, positionWeights, 1);
+  result.laplacianWeights = FromPiece(mesh, laplacianWeights, 1);
+  result.prescribedLaplacians = FromPiece(mesh, prescribedLaplacians, 3);
+  result.fixedPoints = FromPiece(mesh, fixedPoints, 1);
+  return result;
+}
+
 std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
   const MeshQuality& vertices, const Points& V, const Triangles& triangles)
 {
@@ -52,25 +66,39 @@ void CheckOptions(const OptimizerOptions& options)
 }
 }
 
-DistributedOptimizer::DistributedOptimizer(
-  const Communicator& comm, Piece piece, Triangles triangles)
-  : Comm(comm)
-  , PieceTriangles(std::move(triangles))
+DistributedOptimizer::Parts DistributedOptimizer::Distribute(const Communicator& comm, Piece piece)
 {
+  Parts parts;
   if (comm.Sum(std::int64_t(piece.points.rows())) == 0)
   {
-    this->Vertices = std::make_unique<Optimizer>(Points(0, 3), Triangles(0, 3));
-    return;
+    return parts;
   }
   const PetscSession session(comm.Get());
-  this->Mesh = std::make_shared<DistributedMesh>(comm, std::move(piece));
-  Triangles vertexTriangles = this->Mesh->TakeTriangles();
-  const auto subdomain = std::make_shared<const DistributedSubdomain>(this->Mesh, vertexTriangles);
-  this->Vertices =
-    std::make_unique<Optimizer>(this->Mesh->TakePoints(), std::move(vertexTriangles), subdomain,
-      [subdomain](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& solver,
-        ProgressMonitor& monitor)
-      { return SolveDistributed(problem, type, solver, monitor, *subdomain); });
+  parts.mesh = std::make_shared<DistributedMesh>(comm, std::move(piece));
+  parts.points = parts.mesh->TakePoints();
+  parts.triangles = parts.mesh->TakeTriangles();
+  const auto subdomain = std::make_shared<const DistributedSubdomain>(parts.mesh, parts.triangles);
+  parts.subdomain = subdomain;
+  parts.solve = [subdomain](const LeastSquaresProblem& problem, SolverType type,
+                  const SolverOptions& solver, ProgressMonitor& monitor)
+  { return SolveDistributed(problem, type, solver, monitor, *subdomain); };
+  return parts;
+}
+
+DistributedOptimizer::DistributedOptimizer(
+  const Communicator& comm, Piece piece, Triangles triangles)
+  : DistributedOptimizer(comm, Distribute(comm, std::move(piece)), std::move(triangles))
+{
+}
+
+DistributedOptimizer::DistributedOptimizer(
+  const Communicator& comm, Parts parts, Triangles triangles)
+  : Optimizer(std::move(parts.points), std::move(parts.triangles), std::move(parts.subdomain),
+      std::move(parts.solve))
+  , Comm(comm)
+  , PieceTriangles(std::move(triangles))
+  , Mesh(std::move(parts.mesh))
+{
 }
 
 OptimizerResult DistributedOptimizer::Run(
@@ -79,18 +107,14 @@ OptimizerResult DistributedOptimizer::Run(
   CheckOptions(options);
   if (!this->Mesh)
   {
-    return this->Vertices->Run({}, {}, monitor);
+    return this->Optimizer::Run({}, {}, monitor);
   }
   const PetscSession session(this->Comm.Get());
   OptimizerOptions common = options;
   common.computeNormals = this->Comm.Maximum(options.computeNormals) > 0;
   common.roundToFloat = this->Comm.Maximum(options.roundToFloat) > 0;
-  VertexArrays vertexArrays;
-  vertexArrays.positionWeights = FromPiece(*this->Mesh, arrays.positionWeights, 1);
-  vertexArrays.laplacianWeights = FromPiece(*this->Mesh, arrays.laplacianWeights, 1);
-  vertexArrays.prescribedLaplacians = FromPiece(*this->Mesh, arrays.prescribedLaplacians, 3);
-  vertexArrays.fixedPoints = FromPiece(*this->Mesh, arrays.fixedPoints, 1);
-  OptimizerResult result = this->ToPiece(this->Vertices->Run(common, vertexArrays, monitor));
+  OptimizerResult result =
+    this->ToPiece(this->Optimizer::Run(common, ArraysFromPiece(*this->Mesh, arrays), monitor));
   if (!options.computeNormals)
   {
     result.normals.resize(0, 3);
@@ -102,7 +126,7 @@ OptimizerResult DistributedOptimizer::ToPiece(OptimizerResult result) const
 {
   const DistributedMesh& mesh = *this->Mesh;
   const bool hasNormals = this->Comm.Maximum(result.normals.rows() > 0) > 0;
-  Points before = mesh.ToPiece(this->Vertices->GetMesh().GetPoints());
+  Points before = mesh.ToPiece(this->GetMesh().GetPoints());
   result.positions = mesh.ToPiece(result.positions);
   result.displacements = mesh.ToPiece(result.displacements);
   result.meanCurvatures = mesh.ToPiece(result.meanCurvatures);

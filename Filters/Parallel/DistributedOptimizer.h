@@ -10,7 +10,7 @@ namespace lmo
 {
 /// Optimizer for a surface over several processes. All functions are collective, and every process
 /// throws what one throws.
-class DistributedOptimizer
+class DistributedOptimizer : public Optimizer
 {
 public:
   /// \param piece of this process; its owners need not be set
@@ -19,19 +19,32 @@ public:
   /// \throw InputError as DistributedMesh does.
   DistributedOptimizer(const Communicator& comm, Piece piece, Triangles triangles);
 
-  /// Optimizer::Run() with a row for each point of the piece and each triangle given; the figures
+  /// Optimizer::Run() with a row for each point of the piece and each triangle given; the metrics
   /// are those of the whole surface.
   /// \param arrays may lack in processes without points
   OptimizerResult Run(
-    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
+    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor) override;
 
 private:
+  /// What the vertices that this process knows are made of.
+  struct Parts
+  {
+    std::shared_ptr<DistributedMesh> mesh; ///< null if no process has points
+    Points points = Points(0, 3);
+    Triangles triangles = Triangles(0, 3);
+    std::shared_ptr<const Subdomain> subdomain = std::make_shared<Subdomain>();
+    ProblemSolver solve = [](auto&&...) { return Solution{ Points(0, 3), 0, 0, 0 }; };
+  };
+
+  static Parts Distribute(const Communicator& comm, Piece piece);
+
+  DistributedOptimizer(const Communicator& comm, Parts parts, Triangles triangles);
+
   OptimizerResult ToPiece(OptimizerResult result) const;
 
   const Communicator Comm;
   const Triangles PieceTriangles;
-  std::shared_ptr<DistributedMesh> Mesh; ///< null if no process has points
-  std::unique_ptr<Optimizer> Vertices;   ///< of the vertices that this process knows
+  const std::shared_ptr<const DistributedMesh> Mesh; ///< null if no process has points
 };
 }
 

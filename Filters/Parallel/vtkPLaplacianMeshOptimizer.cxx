@@ -3,7 +3,8 @@
 #include "vtkPLaplacianMeshOptimizer.h"
 
 #include "../Private/FilterSupport.h"
-#include "../Private/OptimizerEngine.h"
+#include "../Private/OptimizerSession.h"
+#include "../Private/PolyDataConversion.h"
 #include "DistributedOptimizer.h"
 
 #include "vtkCellData.h"
@@ -67,9 +68,9 @@ std::vector<lmo::GlobalId> GlobalIds(
 }
 
 /// The triangles of the cells that are not marked as duplicates.
-lmo::Triangles TrianglesThatCount(
-  vtkPolyData* input, const lmo::Triangles& triangles, const lmo::TriangleCells& cells)
+lmo::Triangles TrianglesThatCount(vtkPolyData* input, const lmo::SurfaceMesh& mesh)
 {
+  const lmo::Triangles& triangles = mesh.triangles;
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
   if (!ghosts)
@@ -80,7 +81,7 @@ lmo::Triangles TrianglesThatCount(
   Eigen::Index count = 0;
   for (lmo::Index t = 0; t < triangles.rows(); ++t)
   {
-    if (!(ghosts->GetValue(cells(t)) & vtkDataSetAttributes::DUPLICATECELL))
+    if (!(ghosts->GetValue(mesh.numbering.CellOf(t)) & vtkDataSetAttributes::DUPLICATECELL))
     {
       counted.row(count++) = triangles.row(t);
     }
@@ -107,25 +108,26 @@ private:
 };
 }
 
-/// With one process, the engine of the superclass.
-class vtkPLaplacianMeshOptimizer::DistributedEngine : public vtkLaplacianMeshOptimizer::Engine
+/// With one process, the session of the superclass.
+class vtkPLaplacianMeshOptimizer::DistributedSession : public vtkLaplacianMeshOptimizer::Session
 {
 public:
-  explicit DistributedEngine(vtkPLaplacianMeshOptimizer* filter)
-    : Engine(filter)
+  explicit DistributedSession(vtkPLaplacianMeshOptimizer* filter)
+    : Session(filter)
     , ParallelFilter(filter)
   {
   }
 
-  void CheckPieces(int pieces) override
+protected:
+  void CheckPieces(int pieces) const override
   {
     if (!this->IsDistributed())
     {
-      this->Engine::CheckPieces(pieces);
+      this->Session::CheckPieces(pieces);
     }
   }
 
-  void Try(const std::function<void()>& body) override
+  void Try(const std::function<void()>& body) const override
   {
     if (this->IsDistributed())
     {
@@ -137,48 +139,31 @@ public:
     }
   }
 
-  std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() override
+  std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const override
   {
     if (!this->IsDistributed())
     {
-      return this->Engine::MakeMonitor();
+      return this->Session::MakeMonitor();
     }
     return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
   }
 
   void SetInput(vtkPolyData* input) override
   {
+    if (this->WasDistributed != this->IsDistributed())
+    {
+      this->Optimizer.reset();
+      this->WasDistributed = this->IsDistributed();
+    }
     if (!this->IsDistributed())
     {
-      this->Distributed.reset();
-      this->Engine::SetInput(input);
-      return;
+      this->Session::SetInput(input);
     }
-    this->Optimizer.reset();
-    const lmo::Communicator comm = this->GetCommunicator();
-    if (comm.Maximum(!this->Distributed || this->IsNew(input)) == 0)
+    else if (this->GetCommunicator().Maximum(this->IsNew(input)) > 0)
     {
-      return;
+      this->Optimizer.reset();
+      this->Distribute(input);
     }
-    this->Distributed.reset();
-    lmo::SurfaceMesh mesh;
-    comm.Try([&] { mesh = this->Read(input); });
-    lmo::Piece piece;
-    piece.triangles = TrianglesThatCount(input, mesh.triangles, this->GetTriangleCells());
-    piece.points = std::move(mesh.points);
-    if (comm.Sum(std::int64_t(input->GetNumberOfPoints())) > 0)
-    {
-      piece.ids = GlobalIds(input, comm, this->ParallelFilter->GetController());
-    }
-    this->Distributed = std::make_unique<lmo::DistributedOptimizer>(
-      comm, std::move(piece), std::move(mesh.triangles));
-  }
-
-  lmo::OptimizerResult Run(const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays,
-    lmo::ProgressMonitor& monitor) override
-  {
-    return this->IsDistributed() ? this->Distributed->Run(options, arrays, monitor)
-                                 : this->Engine::Run(options, arrays, monitor);
   }
 
 private:
@@ -192,8 +177,25 @@ private:
     return lmo::Communicator(CommunicatorOf(this->ParallelFilter->GetController()));
   }
 
+  void Distribute(vtkPolyData* input)
+  {
+    const lmo::Communicator comm = this->GetCommunicator();
+    lmo::SurfaceMesh mesh;
+    comm.Try([&] { mesh = lmo::ReadMesh(input); });
+    lmo::Piece piece;
+    piece.triangles = TrianglesThatCount(input, mesh);
+    piece.points = std::move(mesh.points);
+    if (comm.Sum(std::int64_t(input->GetNumberOfPoints())) > 0)
+    {
+      piece.ids = GlobalIds(input, comm, this->ParallelFilter->GetController());
+    }
+    this->SetOptimizer(input, std::move(mesh.numbering),
+      std::make_unique<lmo::DistributedOptimizer>(
+        comm, std::move(piece), std::move(mesh.triangles)));
+  }
+
   vtkPLaplacianMeshOptimizer* const ParallelFilter;
-  std::unique_ptr<lmo::DistributedOptimizer> Distributed;
+  bool WasDistributed = false; ///< the optimizer is a lmo::DistributedOptimizer
 };
 
 vtkStandardNewMacro(vtkPLaplacianMeshOptimizer);
@@ -209,9 +211,9 @@ vtkPLaplacianMeshOptimizer::~vtkPLaplacianMeshOptimizer()
   this->SetController(nullptr);
 }
 
-std::unique_ptr<vtkLaplacianMeshOptimizer::Engine> vtkPLaplacianMeshOptimizer::MakeEngine()
+std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkPLaplacianMeshOptimizer::MakeSession()
 {
-  return std::make_unique<DistributedEngine>(this);
+  return std::make_unique<DistributedSession>(this);
 }
 
 int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(

@@ -61,7 +61,7 @@ protected:
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  std::unique_ptr<Engine> MakeEngine() override;
+  std::unique_ptr<Session> MakeSession() override;
 
   vtkMultiProcessController* Controller = nullptr;
 
@@ -69,7 +69,7 @@ private:
   vtkPLaplacianMeshOptimizer(const vtkPLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkPLaplacianMeshOptimizer&) = delete;
 
-  class DistributedEngine;
+  class DistributedSession;
 
   bool HasBlocks = false; ///< the input is composite, which was reported as an error
 };

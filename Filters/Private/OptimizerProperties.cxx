@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OptimizerInternals.h"
+#include "OptimizerSession.h"
 #include "OptimizerTables.h"
 #include "PointSelection.h"
 #include "PolyDataConversion.h"
@@ -9,6 +9,7 @@
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
 
@@ -45,7 +46,7 @@ void CheckValue(const char* name, double value, lmo::Range range)
 }
 }
 
-lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
+lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Session::ReadOptions(vtkPolyData* input) const
 {
   lmo::OptimizerOptions options;
   Tables::VisitProperties(*this->Filter, options,
@@ -54,10 +55,13 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Internals::ReadOptions() const
       CheckValue(name, value, validValues);
       ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...);
     });
+  const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
+  options.computeNormals = this->Filter->ComputeNormals && hasNormals;
+  options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
   return options;
 }
 
-vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPolyData* input) const
+vtkDataArray* vtkLaplacianMeshOptimizer::Session::FindArray(int index, vtkPolyData* input) const
 {
   vtkInformation* choice = this->Filter->GetInputArrayInformation(index);
   const char* name = choice->Get(vtkDataObject::FIELD_NAME());
@@ -85,11 +89,11 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Internals::FindArray(int index, vtkPoly
   return array;
 }
 
-lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(
+lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
   vtkPolyData* input, vtkSelection* selection) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
-  const vtkIdType points = input->GetNumberOfPoints();
+  const lmo::MeshNumbering& numbering = this->Numbering;
   const int weighting = filter.PositionWeighting;
   lmo::VertexArrays arrays;
   vtkDataArray* array = nullptr;
@@ -97,33 +101,33 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(
       (array = this->FindArray(POSITION_WEIGHT_ARRAY, input)))
   {
     arrays.positionWeights =
-      weighting == ARRAY ? lmo::ReadWeights(array, points) : lmo::ReadScalars(array, points);
+      weighting == ARRAY ? lmo::ReadWeights(array, numbering) : lmo::ReadScalars(array, numbering);
   }
   if (filter.LaplacianWeighting == ARRAY &&
       (array = this->FindArray(LAPLACIAN_WEIGHT_ARRAY, input)))
   {
-    arrays.laplacianWeights = lmo::ReadWeights(array, points);
+    arrays.laplacianWeights = lmo::ReadWeights(array, numbering);
   }
   if (filter.Mode == PRESCRIBED_LAPLACIANS &&
       (array = this->FindArray(PRESCRIBED_LAPLACIAN_ARRAY, input)))
   {
-    arrays.prescribedLaplacians = lmo::ReadVectors(array, points);
+    arrays.prescribedLaplacians = lmo::ReadVectors(array, numbering);
   }
   if ((array = this->FindArray(FIXED_POINT_ARRAY, input)))
   {
-    arrays.fixedPoints = lmo::ReadScalars(array, points);
+    arrays.fixedPoints = lmo::ReadScalars(array, numbering);
   }
   const bool hasFeatures = filter.Mode == OPTIMIZE_WITHIN_DEVIATION || filter.FeatureConstraints;
   if (hasFeatures && (array = this->FindArray(FEATURE_ARRAY, input)))
   {
     const bool isOfPoints = input->GetPointData()->HasArray(array->GetName()) &&
                             input->GetPointData()->GetArray(array->GetName()) == array;
-    isOfPoints ? arrays.featurePoints = lmo::ReadScalars(array, points)
-               : arrays.regions = lmo::ReadScalars(array, input->GetNumberOfCells());
+    isOfPoints ? arrays.featurePoints = lmo::ReadScalars(array, numbering)
+               : arrays.regions = lmo::ReadRegions(array, numbering);
   }
   if (selection)
   {
-    lmo::Vector isFixed = lmo::SelectedPoints(input, selection);
+    lmo::Vector isFixed = numbering.ToVertices(lmo::SelectedPoints(input, selection));
     if (filter.SelectionUse == ONLY_SELECTED_POINTS_MOVE)
     {
       isFixed = 1 - isFixed.array();

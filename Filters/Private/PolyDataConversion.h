@@ -3,53 +3,45 @@
 #ifndef PolyDataConversion_h
 #define PolyDataConversion_h
 
-#include "Core/Base/Types.h"
-
-#include "vtkType.h"
-
-#include <string>
-#include <vector>
+#include "MeshNumbering.h"
 
 class vtkDataArray;
 class vtkPolyData;
 
 namespace lmo
 {
-/// Which cell each triangle belongs to.
-struct TriangleCells
-{
-  vtkIdType firstPolygon = 0;
-  std::vector<vtkIdType> cells; ///< of each triangle; empty if they are firstPolygon + triangle
-
-  vtkIdType operator()(Index triangle) const
-  {
-    return this->cells.empty() ? this->firstPolygon + triangle : this->cells[triangle];
-  }
-};
-
-/// The triangles of a vtkPolyData, those of its polygons and strips included.
+/// The mesh of a vtkPolyData.
 struct SurfaceMesh
 {
   Points points;
   Triangles triangles;
-  TriangleCells triangleCells;
+  MeshNumbering numbering;
 };
 
 /// \throw InputError for coordinates that are not finite, polygons with fewer than three corners
 /// and point ids out of range.
 SurfaceMesh ReadMesh(vtkPolyData* input);
 
-/// \throw InputError if new coordinates are beyond the range of their type.
-void CheckRange(const Points& positions);
+/// Numbers vertices and triangles so that neighbours lie close together in memory, if they do not.
+void RenumberIfScattered(SurfaceMesh& mesh);
 
+/// \throw InputError if new coordinates are beyond the range of their type.
+void CheckRange(const Points& positions, const MeshNumbering& numbering);
+
+/// The values of a point array at the vertices.
 /// \throw InputError if the array has not one value per point, or one that is not finite.
-Vector ReadScalars(vtkDataArray* array, vtkIdType points);
+Vector ReadScalars(vtkDataArray* array, const MeshNumbering& numbering);
 
 /// As ReadScalars(); negative values are errors too.
-Vector ReadWeights(vtkDataArray* array, vtkIdType points);
+Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering);
 
+/// The vectors of a point array at the vertices.
 /// \throw InputError if the array has not three finite values per point.
-Points ReadVectors(vtkDataArray* array, vtkIdType points);
+Points ReadVectors(vtkDataArray* array, const MeshNumbering& numbering);
+
+/// The values of a cell array at the triangles.
+/// \throw InputError if the array has not one value per cell, or one that is not finite.
+Vector ReadRegions(vtkDataArray* array, const MeshNumbering& numbering);
 }
 
 #endif

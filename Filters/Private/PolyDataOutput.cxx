@@ -21,84 +21,86 @@ namespace lmo
 {
 namespace
 {
-template <typename Rows>
-vtkSmartPointer<vtkDoubleArray> MoveRows(const char* name, Rows rows)
+vtkSmartPointer<vtkDoubleArray> NewArray(const char* name, int components, vtkIdType tuples)
 {
-  constexpr int columns = Rows::ColsAtCompileTime;
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name);
-  array->SetNumberOfComponents(columns);
-  array->SetNumberOfTuples(rows.rows());
-  ParallelRanges(static_cast<Index>(rows.rows()),
-    [from = rows.data(), to = array->GetPointer(0)](std::ptrdiff_t begin, std::ptrdiff_t end)
-    { std::copy(from + columns * begin, from + columns * end, to + columns * begin); });
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+/// Writes the rows of vertices to the points.
+template <typename Rows, typename Scalar>
+void WriteRows(const Rows& rows, const MeshNumbering& numbering, Scalar* values)
+{
+  constexpr int columns = Rows::ColsAtCompileTime;
+  ParallelFor(static_cast<Index>(numbering.GetNumberOfPoints()),
+    [&](Index point)
+    {
+      const Index vertex = numbering.VertexOf(point);
+      for (int c = 0; c < columns; ++c)
+      {
+        values[columns * std::ptrdiff_t(point) + c] = static_cast<Scalar>(rows(vertex, c));
+      }
+    });
+}
+
+template <typename Rows>
+vtkSmartPointer<vtkDoubleArray> MoveRows(
+  const char* name, Rows rows, const MeshNumbering& numbering)
+{
+  auto array = NewArray(name, Rows::ColsAtCompileTime, numbering.GetNumberOfPoints());
+  WriteRows(rows, numbering, array->GetPointer(0));
   return array;
 }
 }
 
-vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input)
+vtkSmartPointer<vtkPoints> MakePoints(
+  Points positions, const MeshNumbering& numbering, vtkPoints* input)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataType(input->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);
-  result->SetNumberOfPoints(points.rows());
+  result->SetNumberOfPoints(numbering.GetNumberOfPoints());
   vtkDataArray* data = result->GetData();
-  const auto copy = [&](auto* values)
-  {
-    ParallelFor(static_cast<Index>(points.rows()),
-      [&](Index i)
-      {
-        for (int c = 0; c < 3; ++c)
-        {
-          values[3 * std::size_t(i) + c] =
-            static_cast<std::decay_t<decltype(*values)>>(points(i, c));
-        }
-      });
-  };
   if (result->GetDataType() == VTK_FLOAT)
   {
-    copy(static_cast<float*>(data->GetVoidPointer(0)));
+    WriteRows(positions, numbering, static_cast<float*>(data->GetVoidPointer(0)));
   }
   else
   {
-    copy(static_cast<double*>(data->GetVoidPointer(0)));
+    WriteRows(positions, numbering, static_cast<double*>(data->GetVoidPointer(0)));
   }
   return result;
 }
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values)
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  const char* name, Vector values, const MeshNumbering& numbering)
 {
-  return MoveRows(name, std::move(values));
+  return MoveRows(name, std::move(values), numbering);
 }
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values)
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  const char* name, Points values, const MeshNumbering& numbering)
 {
-  return MoveRows(name, std::move(values));
+  return MoveRows(name, std::move(values), numbering);
 }
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
 {
-  return MakeArray(name, Vector(Vector::Constant(1, value)));
+  auto array = NewArray(name, 1, 1);
+  array->SetValue(0, value);
+  return array;
 }
 
-void AddRadiusRatios(const char* name, const MeshQuality& quality,
-  const TriangleCells& triangleCells, vtkPolyData* output)
+void AddRadiusRatios(
+  const char* name, const MeshQuality& quality, const MeshNumbering& numbering, vtkPolyData* output)
 {
-  const vtkIdType count = output->GetNumberOfCells();
-  if (triangleCells.cells.empty() && count == quality.triangles.size())
-  {
-    output->GetCellData()->AddArray(MakeArray(name, quality.triangles));
-  }
-  else
-  {
-    Vector cells = Vector::Constant(count, UndefinedQuality);
-    for (Index t = 0; t < quality.triangles.size(); ++t)
-    {
-      double& cell = cells[triangleCells(t)];
-      cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
-    }
-    output->GetCellData()->AddArray(MakeArray(name, std::move(cells)));
-  }
-  output->GetPointData()->AddArray(MakeArray(name, quality.vertices));
+  const Vector ofCells = numbering.LeastOfCells(quality.triangles, UndefinedQuality);
+  auto cells = NewArray(name, 1, ofCells.size());
+  std::copy(ofCells.begin(), ofCells.end(), cells->GetPointer(0));
+  output->GetCellData()->AddArray(cells);
+  output->GetPointData()->AddArray(MakeArray(name, quality.vertices, numbering));
 }
 
 namespace
@@ -106,37 +108,40 @@ namespace
 struct ReplaceTuples
 {
   template <typename Array>
-  void operator()(Array* array, const Points& normals) const
+  void operator()(Array* array, const Points& normals, const MeshNumbering& numbering) const
   {
     auto tuples = vtk::DataArrayTupleRange<3>(array);
-    ParallelFor(static_cast<Index>(normals.rows()),
-      [&](Index i)
+    ParallelFor(static_cast<Index>(numbering.GetNumberOfPoints()),
+      [&](Index point)
       {
-        for (int c = 0; c < 3 && normals.row(i).squaredNorm() > 0; ++c)
+        const Vector3 normal = normals.row(numbering.VertexOf(point));
+        for (int c = 0; c < 3 && normal.squaredNorm() > 0; ++c)
         {
-          tuples[i][c] = static_cast<vtk::GetAPIType<Array>>(normals(i, c));
+          tuples[point][c] = static_cast<vtk::GetAPIType<Array>>(normal[c]);
         }
       });
   }
 };
 }
 
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
+vtkSmartPointer<vtkDataArray> ReplaceNormals(
+  vtkDataArray* input, const Points& normals, const MeshNumbering& numbering)
 {
-  if (input->GetNumberOfTuples() != normals.rows() || input->GetNumberOfComponents() != 3)
+  const vtkIdType points = numbering.GetNumberOfPoints();
+  if (input->GetNumberOfTuples() != points || input->GetNumberOfComponents() != 3)
   {
     std::ostringstream text;
     text << "The point array '" << (input->GetName() ? input->GetName() : "") << "' of normals has "
          << input->GetNumberOfTuples() << " tuples of " << input->GetNumberOfComponents()
-         << " components; " << normals.rows() << " tuples of 3 are needed. Repair or remove them.";
+         << " components; " << points << " tuples of 3 are needed. Repair or remove them.";
     throw InputError(text.str());
   }
   auto result = vtk::TakeSmartPointer(input->NewInstance());
   result->DeepCopy(input);
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-        result.Get(), ReplaceTuples{}, normals))
+        result.Get(), ReplaceTuples{}, normals, numbering))
   {
-    ReplaceTuples{}(result.Get(), normals);
+    ReplaceTuples{}(result.Get(), normals, numbering);
   }
   return result;
 }

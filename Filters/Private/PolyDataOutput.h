@@ -4,32 +4,40 @@
 #define PolyDataOutput_h
 
 #include "Core/Mesh/TriangleQuality.h"
-#include "PolyDataConversion.h"
+#include "MeshNumbering.h"
 
 #include "vtkSmartPointer.h"
 
+class vtkDataArray;
 class vtkDoubleArray;
 class vtkPoints;
+class vtkPolyData;
 
 namespace lmo
 {
-/// Coordinates in the type of the input's: float for float, double for all others. Like the arrays
-/// below, values that are not needed any more are to be moved here, which frees their memory.
-vtkSmartPointer<vtkPoints> MakePoints(Points points, vtkPoints* input);
+/// Coordinates of the points from those of the vertices, in the type of the input's: float for
+/// float, double for all others. Like the arrays below, values that are not needed any more are to
+/// be moved here, which frees their memory.
+vtkSmartPointer<vtkPoints> MakePoints(
+  Points positions, const MeshNumbering& numbering, vtkPoints* input);
 
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Vector values);
-vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, Points values);
+/// Point arrays from values at the vertices.
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  const char* name, Vector values, const MeshNumbering& numbering);
+vtkSmartPointer<vtkDoubleArray> MakeArray(
+  const char* name, Points values, const MeshNumbering& numbering);
 
 /// Array of one value, as field data hold it.
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 
 /// Adds the radius ratios of the triangles to the cell data and of the vertices to the point data.
-void AddRadiusRatios(const char* name, const MeshQuality& quality,
-  const TriangleCells& triangleCells, vtkPolyData* output);
+void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
+  vtkPolyData* output);
 
-/// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
+/// Copy of a normals array, in its type, with the normals at the vertices that are not 0.
 /// \throw InputError if the array has not three values per point.
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
+vtkSmartPointer<vtkDataArray> ReplaceNormals(
+  vtkDataArray* input, const Points& normals, const MeshNumbering& numbering);
 }
 
 #endif

@@ -29,8 +29,8 @@ struct System
   System(const TestMesh& mesh, const OptimizerOptions& options)
   {
     const MeshQuantities quantities(mesh.V, mesh.T);
-    const auto boundary = SlidingLines(quantities, options, {});
-    this->problem = SetUpProblem(CotangentQuantities(quantities, false), options, {}, boundary);
+    ProgressMonitor monitor;
+    this->problem = MakePlan(CotangentQuantities(quantities, false), options, {}, monitor).problem;
     this->A = std::make_unique<NormalOperator<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(
       this->problem, this->A->GetStiffness(), this->problem.laplacian.softEdgeWeights);

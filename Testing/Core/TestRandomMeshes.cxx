@@ -52,8 +52,8 @@ LeastSquaresProblem ProblemOf(const Sample& sample)
 {
   const MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   const CotangentQuantities quantities(mesh, sample.options.robustLaplacian);
-  return SetUpProblem(
-    quantities, sample.options, sample.arrays, SlidingLines(mesh, sample.options, sample.arrays));
+  ProgressMonitor monitor;
+  return MakePlan(quantities, sample.options, sample.arrays, monitor).problem;
 }
 
 double EnergyOf(const Sample& sample, const LeastSquaresProblem& problem, const Points& positions)

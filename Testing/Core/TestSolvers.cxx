@@ -158,8 +158,9 @@ double EnergyOf(const TestMesh& mesh, const OptimizerOptions& options, const Ver
   const Points& V)
 {
   const MeshQuantities quantities(mesh.V, mesh.T);
+  ProgressMonitor monitor;
   const LeastSquaresProblem problem =
-    SetUpProblem(CotangentQuantities(quantities, false), options, arrays, {});
+    MakePlan(CotangentQuantities(quantities, false), options, arrays, monitor).problem;
   return Energy(problem, V - mesh.V);
 }
 

@@ -9,13 +9,11 @@
 namespace lmo
 {
 /// New numbers for the vertices and triangles of a mesh, so that neighbours lie close together in
-/// memory. Empty lists stand for the old numbers.
+/// memory.
 struct MeshOrder
 {
   std::vector<Index> vertices;  ///< old number of each new vertex
   std::vector<Index> triangles; ///< old number of each new triangle
-
-  bool IsEmpty() const { return this->vertices.empty(); }
 };
 
 /// True if neighbours lie so far apart that the processor's caches do not hold what is between
@@ -42,20 +40,6 @@ Values ToNewOrder(const std::vector<Index>& oldNumbers, Values values)
   Values result(values.rows(), values.cols());
   ParallelFor(static_cast<Index>(oldNumbers.size()),
     [&](Index i) { result.row(i) = values.row(oldNumbers[i]); });
-  return result;
-}
-
-/// The inverse of ToNewOrder().
-template <typename Values>
-Values ToOldOrder(const std::vector<Index>& oldNumbers, Values values)
-{
-  if (oldNumbers.empty())
-  {
-    return values;
-  }
-  Values result(values.rows(), values.cols());
-  ParallelFor(static_cast<Index>(oldNumbers.size()),
-    [&](Index i) { result.row(oldNumbers[i]) = values.row(i); });
   return result;
 }
 }

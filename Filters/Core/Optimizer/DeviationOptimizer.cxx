@@ -49,17 +49,15 @@ double MeanOf(const Vector& quality)
 class Passes
 {
 public:
-  Passes(const CotangentQuantities& quantities, const OptimizerOptions& options,
-    const FeatureLines& features, const DisplacementConstraints& motion, ProgressMonitor& monitor)
-    : Quantities(quantities)
-    , Mesh(quantities.GetMesh())
-    , Options(options)
-    , Features(features)
+  Passes(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
+    : Mesh(mesh)
+    , Options(plan.options)
+    , Features(*plan.lines)
     , Distance(std::max(
-        options.deviation.maximum * this->Mesh.GetDiagonal() - RoundOff(this->Mesh.GetBox()), 0.0))
-    , Guard(this->Mesh.GetPoints(), this->Mesh.GetTriangles(), this->Mesh.GetTopology(),
-        this->Distance, monitor)
-    , Problem(SetUpTangentialProblem(this->Mesh, motion))
+        plan.options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
+    , Problem(std::move(plan.problem))
+    , Cumulative(std::move(this->Problem.position.weights))
     , Adaption(Vector::Ones(this->Mesh.GetPoints().rows()))
     , Share(Vector::Zero(this->Mesh.GetPoints().rows()))
   {
@@ -68,15 +66,15 @@ public:
     monitor.Report(0);
   }
 
-  void Run(ProgressMonitor& monitor, DeviationResult& result);
+  void Run(ProgressMonitor& monitor, ModeResult& result);
 
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
 
   void SetPositionWeights()
   {
-    lmo::SetPositionWeights(
-      this->Quantities, this->Guard.GetAdmittedQuality(), this->Adaption, this->Problem);
+    lmo::SetPositionWeights(this->Mesh, this->Cumulative, this->Guard.GetAdmittedQuality(),
+      this->Adaption, this->Problem);
   }
 
   /// The motion that Eqn. 11 proposes.
@@ -99,15 +97,15 @@ private:
 
   Index CountRolledBack() const;
 
-  const CotangentQuantities& Quantities;
   const MeshQuantities& Mesh;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
   const double Distance; ///< allowed
   DeviationGuard Guard;
   LeastSquaresProblem Problem;
-  Vector Adaption; ///< factor of W_p
-  Vector Share;    ///< of the motion, 0 to 1
+  const Vector Cumulative; ///< C(kappa)
+  Vector Adaption;         ///< factor of W_p
+  Vector Share;            ///< of the motion, 0 to 1
 };
 
 Solution Passes::Propose(ProgressMonitor& monitor)
@@ -244,7 +242,7 @@ Index Passes::CountRolledBack() const
   return count;
 }
 
-void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
+void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
 {
   const int passes = this->Options.deviation.passes;
   try
@@ -261,8 +259,8 @@ void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
       {
         break;
       }
-      ++result.report.passes;
-      result.report.rolledBack = this->CountRolledBack();
+      ++result.deviation.passes;
+      result.deviation.rolledBack = this->CountRolledBack();
       const double after = MeanOf(this->Guard.GetAdmittedQuality());
       if (pass > 1 && after > before && after < before + SmallestGain)
       {
@@ -283,24 +281,25 @@ void Passes::Run(ProgressMonitor& monitor, DeviationResult& result)
   result.positions = this->Guard.GetAdmitted();
   const double diagonal = this->Mesh.GetDiagonal();
   const double bound = this->Guard.GetBound();
-  result.report.relativeBound = bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
+  result.deviation.relativeBound =
+    bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
   result.positionWeights = std::move(this->Problem.position.weights);
   result.laplacianWeights = std::move(this->Problem.laplacian.weights);
 }
 }
 
-DeviationResult OptimizeWithinDeviation(const CotangentQuantities& quantities,
-  const OptimizerOptions& options, const FeatureLines& features,
-  const DisplacementConstraints& motion, ProgressMonitor& monitor)
+ModeResult OptimizeWithinDeviation(
+  const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
 {
-  DeviationResult result;
+  monitor.Report(0);
+  ModeResult result;
   try
   {
-    Passes(quantities, options, features, motion, monitor).Run(monitor, result);
+    Passes(mesh, plan, monitor).Run(monitor, result);
   }
   catch (const Cancelled&)
   {
-    result.positions = quantities.GetMesh().GetPoints();
+    result.positions = mesh.GetPoints();
     result.positionWeights = result.laplacianWeights = Vector::Zero(result.positions.rows());
     result.isCancelled = true;
   }

@@ -83,12 +83,10 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
   problem.laplacian.target = std::move(target);
 }
 
-void SetPositionWeights(const CotangentQuantities& quantities, const Vector& triangleQuality,
-  const Vector& adaption, LeastSquaresProblem& problem)
+void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,
+  const Vector& triangleQuality, const Vector& adaption, LeastSquaresProblem& problem)
 {
-  const MeshQuantities& mesh = quantities.GetMesh();
   const Index size = mesh.GetTopology().vertices;
-  const Vector& cumulative = quantities.GetCumulativeWeights();
   const Vector quality = MinimumAtVertices(triangleQuality, mesh.GetTriangles(), size);
   problem.position.weights.resize(size);
   ParallelFor(size,

@@ -5,7 +5,7 @@
 
 #include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Mesh/FeatureLines.h"
-#include "Core/Operators/CotangentQuantities.h"
+#include "Core/Operators/MeshQuantities.h"
 
 namespace lmo
 {
@@ -20,10 +20,11 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
   LeastSquaresProblem& problem);
 
 /// Sets W_p: cumulative weights, smaller at bad triangles.
+/// \param cumulative C(kappa) of Eqn. 13
 /// \param triangleQuality radius ratios as they are now
 /// \param adaption factor of each vertex
-void SetPositionWeights(const CotangentQuantities& quantities, const Vector& triangleQuality,
-  const Vector& adaption, LeastSquaresProblem& problem);
+void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,
+  const Vector& triangleQuality, const Vector& adaption, LeastSquaresProblem& problem);
 }
 
 #endif

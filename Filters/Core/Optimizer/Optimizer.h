@@ -4,36 +4,21 @@
 #define lmo_Optimizer_h
 
 #include "Core/Deviation/SurfaceComparison.h"
-#include "Core/Mesh/VertexOrder.h"
 #include "Core/Operators/CotangentQuantities.h"
-#include "Core/Optimizer/DeviationOptimizer.h"
-#include "Core/Optimizer/OptimizerOptions.h"
+#include "Core/Optimizer/RunPlan.h"
 #include "Core/Solvers/PreconditionerCache.h"
-
-#include <functional>
 
 namespace lmo
 {
-struct OptimizerResult
+/// What a run returns, with a row for each vertex.
+struct OptimizerResult : ModeResult
 {
-  Points positions;      ///< V'
-  Points displacements;  ///< V' - V
-  Vector meanCurvatures; ///< kappa of the input
-  Vector positionWeights;
-  Vector laplacianWeights;
-  Points normals; ///< vertex normals of the result, 0 where undefined; no rows if not asked for
-  SurfaceComparison comparison; ///< of the input and the result
-  Index iterations = 0;
-  double relativeResidual = 0;
-  bool isConverged = true; ///< the residual is within the tolerance
-  Vector featureClass;     ///< FeatureLines::Class of each vertex; no rows without features
-  DeviationReport deviation;
-  bool isCancelled = false; ///< the monitor asked to stop, and this is what there was by then
+  Points displacements;         ///< V' - V
+  Vector meanCurvatures;        ///< kappa of the input
+  Vector featureClass;          ///< FeatureLines::Class of each vertex; no rows without features
+  Points normals;               ///< vertex normals of V', 0 where undefined; no rows if not wanted
+  SurfaceComparison comparison; ///< of V and V'
 };
-
-/// Solves a problem as Solve() does.
-using ProblemSolver = std::function<Solution(
-  const LeastSquaresProblem&, SolverType, const SolverOptions&, ProgressMonitor&)>;
 
 /// Laplacian mesh optimization of one mesh, any number of times: what depends on the mesh alone is
 /// computed once, when it is first needed.
@@ -44,50 +29,37 @@ public:
   Optimizer(Points V, Triangles triangles);
 
   /// For a part of a mesh that is distributed over processes. Results are right where the vertex is
-  /// owned, figures are those of the whole mesh.
+  /// owned, metrics are those of the whole mesh.
   /// \param solver in the place of Solve(); its displacements are right at all vertices
   Optimizer(Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain,
     ProblemSolver solver);
 
+  virtual ~Optimizer() = default;
   Optimizer(const Optimizer&) = delete;
   void operator=(const Optimizer&) = delete;
 
   /// Moves the vertices as the mode says.
   /// \throw InputError if an array that the options need is missing.
   /// \throw SolverError, Cancelled as Solve() does.
-  OptimizerResult Run(
+  virtual OptimizerResult Run(
     const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
 
-  /// The mesh, perhaps renumbered.
-  const MeshQuantities& GetMesh() const { return *this->Mesh; }
+  const MeshQuantities& GetMesh() const { return this->Mesh; }
+
+  const PreconditionerCache& GetInverses() const { return this->Inverses; }
 
   /// How many quantities have been computed so far.
   int GetNumberOfParts() const;
 
-  const PreconditionerCache& GetInverses() const { return this->Inverses; }
-
 private:
-  OptimizerResult RunInOrder(
-    const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor);
+  /// The quantities of a choice of weights.
+  const CotangentQuantities& ChooseQuantities(bool isRobust);
 
-  /// Sets V' and the figures of the solution: by Eqn. 11 once,
-  void SolveOnce(const OptimizerOptions& options, const VertexArrays& arrays,
-    const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result);
-
-  /// or along filtered normals,
-  void FollowFilteredNormals(const OptimizerOptions& options, const VertexArrays& arrays,
-    const std::optional<FeatureLines>& lines, ProgressMonitor& monitor, OptimizerResult& result);
-
-  /// or by passes within a deviation.
-  void StayWithinDeviation(const OptimizerOptions& options, const VertexArrays& arrays,
-    const FeatureLines& lines, ProgressMonitor& monitor, OptimizerResult& result);
-
-  MeshOrder Order;
-  std::unique_ptr<const MeshQuantities> Mesh;
+  const MeshQuantities Mesh;
   std::unique_ptr<const CotangentQuantities> Quantities; ///< of the last run
-  std::shared_ptr<const CotangentWeights> Weights; ///< null if the last run's L has none of them
+  std::shared_ptr<const CotangentWeights> Weights;       ///< of its L; null if it was L_u
   PreconditionerCache Inverses;
-  ProblemSolver Solver;
+  const ProblemSolver Solver;
 };
 
 /// Optimizer::Run() for a mesh that is used once.

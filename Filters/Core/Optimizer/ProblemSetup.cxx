@@ -7,6 +7,8 @@
 #include "Core/Mesh/FeatureDetection.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/Curvature.h"
+#include "Core/Optimizer/DeviationProblem.h"
+#include "Core/Optimizer/GuidedSchedule.h"
 
 namespace lmo
 {
@@ -68,11 +70,10 @@ Mask FixedVertices(
 }
 
 /// L of section 4, without rows at vertices on lines and at a boundary that is not free.
-Laplacian ChooseLaplacian(const CotangentQuantities& quantities, const OptimizerOptions& options,
-  const std::optional<FeatureLines>& lines)
+Laplacian ChooseLaplacian(const CotangentQuantities& quantities, LaplacianType type,
+  BoundaryCondition boundaryCondition, const std::optional<FeatureLines>& lines)
 {
   const MeshQuantities& mesh = quantities.GetMesh();
-  const LaplacianType type = UsedLaplacian(options);
   Laplacian L = quantities.MakeLaplacian(type);
   if (type == LaplacianType::MEAN_CURVATURE)
   {
@@ -80,7 +81,7 @@ Laplacian ChooseLaplacian(const CotangentQuantities& quantities, const Optimizer
   }
   const MeshTopology& topology = mesh.GetTopology();
   const bool hasBoundary =
-    options.boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty();
+    boundaryCondition != BoundaryCondition::FREE && !topology.boundaryEdges.ids.empty();
   if (hasBoundary || lines)
   {
     for (Index i = 0; i < topology.vertices; ++i)
@@ -149,12 +150,98 @@ std::vector<PolylineRow> SlidingRows(
     });
   return rows;
 }
-}
 
+/// The type of L.
 LaplacianType UsedLaplacian(const OptimizerOptions& options)
 {
   const bool isChosen = options.mode == Mode::SMOOTH || options.mode == Mode::PRESCRIBED_LAPLACIANS;
   return isChosen ? options.laplacianType : LaplacianType::UNIFORM;
+}
+
+/// True if the options ask for features.
+bool HasFeatures(const OptimizerOptions& options)
+{
+  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION ||
+         (options.featureConstraints && options.mode <= Mode::SMOOTH);
+}
+
+/// The lines along which vertices slide: the boundary and features, as far as the options ask for
+/// them.
+std::optional<FeatureLines> SlidingLines(const MeshQuantities& mesh,
+  const OptimizerOptions& options, const VertexArrays& arrays, bool hasFeatures)
+{
+  const bool hasBoundary =
+    options.boundaryCondition == BoundaryCondition::SLIDING && mesh.HasBoundary();
+  if (!hasFeatures && !hasBoundary)
+  {
+    return std::nullopt;
+  }
+  const MeshTopology& topology = mesh.GetTopology();
+  AdjacencyLists edges;
+  edges.offsets.assign(topology.vertices + 1, 0);
+  if (hasFeatures)
+  {
+    edges = FeatureEdges(mesh, options, arrays);
+  }
+  if (hasBoundary)
+  {
+    edges = MergeEdges(edges, topology.boundaryEdges);
+  }
+  return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+}
+
+/// What each vertex may do.
+DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
+  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+{
+  DisplacementConstraints motion;
+  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const bool isFixed =
+        motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
+      const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
+      motion.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
+                          : slides ? DisplacementConstraints::ALONG_LINE
+                                   : DisplacementConstraints::FREE;
+    });
+  if (lines)
+  {
+    motion.axes = lines->tangents;
+  }
+  return motion;
+}
+
+/// Eqn. 11 for the options.
+LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities, LaplacianType type,
+  const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines)
+{
+  const MeshQuantities& mesh = quantities.GetMesh();
+  LeastSquaresProblem problem;
+  problem.laplacian.L = ChooseLaplacian(quantities, type, options.boundaryCondition, lines);
+  if (type == LaplacianType::COTANGENT)
+  {
+    problem.laplacian.softEdgeWeights = quantities.GetWeights()->GetSoftEdgeWeights();
+  }
+  problem.laplacian.weights = LaplacianWeights(quantities, options, arrays);
+  problem.laplacian.target = ChooseTarget(quantities, problem.laplacian.L, options, arrays);
+  problem.position.weights = PositionWeights(quantities, options, arrays);
+  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
+  if (lines)
+  {
+    problem.polylines.rows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacian.weights);
+  }
+  if (options.tangentPlaneConstraints)
+  {
+    problem.tangentPlanes.normals = TangentPlaneNormals(quantities.ComputeMeanCurvatureNormals(),
+      quantities.GetMeanCurvatures(),
+      VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
+    problem.tangentPlanes.weight = options.tangentPlaneWeight;
+  }
+  return problem;
+}
 }
 
 Vector PositionWeights(const CotangentQuantities& quantities, const OptimizerOptions& options,
@@ -199,84 +286,28 @@ Vector LaplacianWeights(const CotangentQuantities& quantities, const OptimizerOp
   }
 }
 
-bool HasFeatures(const OptimizerOptions& options)
-{
-  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION ||
-         (options.featureConstraints && options.mode <= Mode::SMOOTH);
-}
-
-std::optional<FeatureLines> SlidingLines(
-  const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
-{
-  const bool hasFeatures = HasFeatures(options);
-  const bool hasBoundary =
-    options.boundaryCondition == BoundaryCondition::SLIDING && mesh.HasBoundary();
-  if (!hasFeatures && !hasBoundary)
-  {
-    return std::nullopt;
-  }
-  const MeshTopology& topology = mesh.GetTopology();
-  AdjacencyLists edges;
-  edges.offsets.assign(topology.vertices + 1, 0);
-  if (hasFeatures)
-  {
-    edges = FeatureEdges(mesh, options, arrays);
-  }
-  if (hasBoundary)
-  {
-    edges = MergeEdges(edges, topology.boundaryEdges);
-  }
-  return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
-}
-
-DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
-{
-  DisplacementConstraints motion;
-  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
-  ParallelFor(topology.vertices,
-    [&](Index i)
-    {
-      const bool isFixed =
-        motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
-      const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
-      motion.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
-                          : slides ? DisplacementConstraints::ALONG_LINE
-                                   : DisplacementConstraints::FREE;
-    });
-  if (lines)
-  {
-    motion.axes = lines->tangents;
-  }
-  return motion;
-}
-
-LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities,
-  const OptimizerOptions& options, const VertexArrays& arrays,
-  const std::optional<FeatureLines>& lines)
+RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& options,
+  const VertexArrays& arrays, ProgressMonitor& monitor)
 {
   const MeshQuantities& mesh = quantities.GetMesh();
-  LeastSquaresProblem problem;
-  problem.laplacian.L = ChooseLaplacian(quantities, options, lines);
-  if (UsedLaplacian(options) == LaplacianType::COTANGENT)
+  const bool isGuided = options.mode == Mode::SMOOTH_GUIDED;
+  const OptimizerOptions problemOptions = isGuided ? FirstSmoothing(options) : options;
+  const LaplacianType type = UsedLaplacian(options);
+  RunPlan plan;
+  plan.options = options;
+  plan.weights = quantities.Prepare(type, options.mode == Mode::OPTIMIZE_TRIANGLES, monitor);
+  plan.hasFeatures = HasFeatures(options);
+  plan.lines = SlidingLines(mesh, problemOptions, arrays, plan.hasFeatures);
+  if (options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION)
   {
-    problem.laplacian.softEdgeWeights = quantities.GetWeights()->GetSoftEdgeWeights();
+    plan.problem =
+      SetUpTangentialProblem(mesh, ChooseMotion(mesh.GetTopology(), options, arrays, plan.lines));
+    plan.problem.position.weights = quantities.GetCumulativeWeights();
   }
-  problem.laplacian.weights = LaplacianWeights(quantities, options, arrays);
-  problem.laplacian.target = ChooseTarget(quantities, problem.laplacian.L, options, arrays);
-  problem.position.weights = PositionWeights(quantities, options, arrays);
-  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
-  if (lines)
+  else
   {
-    problem.polylines.rows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacian.weights);
+    plan.problem = SetUpProblem(quantities, type, problemOptions, arrays, plan.lines);
   }
-  if (options.tangentPlaneConstraints)
-  {
-    problem.tangentPlanes.normals = TangentPlaneNormals(quantities.ComputeMeanCurvatureNormals(),
-      quantities.GetMeanCurvatures(),
-      VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology()), mesh.GetTopology());
-    problem.tangentPlanes.weight = options.tangentPlaneWeight;
-  }
-  return problem;
+  return plan;
 }
 }

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/GuidedSchedule.h"
+
+#include "Core/Mesh/NormalFilter.h"
+#include "Core/Optimizer/GuidedSmoothing.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+namespace
+{
+constexpr double FirstScaleFactor = 0.75; ///< of the smoothing that the first normals come from
+constexpr int Rounds = 3;                 ///< in which normals are filtered and followed
+constexpr double LaterWidth = 0.4;      ///< factor of NormalWidth after the first round: less noise
+constexpr double RoughTolerance = 1e-3; ///< of solutions that only lead to the next normals
+
+/// Solves for the positions that follow the filtered normals of the result so far.
+Solution Follow(const MeshQuantities& mesh, const RunPlan& plan, const Points& normals,
+  const Points& positions, const SolverOptions& solver, ProgressMonitor& monitor)
+{
+  const Points& V = mesh.GetPoints();
+  return FollowNormals(V, mesh.GetTriangles(), mesh.GetTopology(), normals,
+    plan.problem.laplacian.L, plan.problem.motion, plan.options.guide.detailWeight, positions - V,
+    solver, monitor);
+}
+}
+
+OptimizerOptions FirstSmoothing(const OptimizerOptions& options)
+{
+  OptimizerOptions smoothing;
+  smoothing.mode = Mode::SMOOTH;
+  smoothing.positionWeighting = PositionWeighting::CONSTANT;
+  smoothing.scaleFactor = FirstScaleFactor;
+  smoothing.boundaryCondition = options.boundaryCondition;
+  smoothing.solver = options.solver;
+  return smoothing;
+}
+
+ModeResult SmoothGuided(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
+{
+  const GuideOptions& guide = plan.options.guide;
+  SolverOptions solver = plan.options.solver;
+  const double share = 1.0 / (Rounds + 1); // of the time
+  ModeResult result;
+  PartialMonitor first(monitor, 0, share);
+  first.Begin("Solving");
+  const Solution smoothing = plan.solve(plan.problem, SolverType::AUTOMATIC, solver, first);
+  AddSolution(smoothing, solver.tolerance, result);
+  result.positions = MoveVertices(mesh, plan, smoothing.displacement);
+
+  const int iterations = guide.normalIterations / 2 + guide.normalIterations % 2;
+  for (int round = 1; round <= Rounds; ++round)
+  {
+    const bool isLast = round == Rounds;
+    solver.tolerance = isLast ? plan.options.solver.tolerance
+                              : std::max(RoughTolerance, plan.options.solver.tolerance);
+    PartialMonitor filtering(monitor, round * share, (round + 0.3) * share);
+    filtering.Begin("Filtering normals");
+    const Points normals = FilterNormals(result.positions, mesh.GetTriangles(), mesh.GetTopology(),
+      iterations, (round == 1 ? 1 : LaterWidth) * guide.normalWidth, filtering);
+    PartialMonitor following(monitor, (round + 0.3) * share, (round + 1) * share);
+    following.Begin("Following normals");
+    const Solution solution = Follow(mesh, plan, normals, result.positions, solver, following);
+    result.relativeResidual = 0; // the last one counts
+    AddSolution(solution, solver.tolerance, result);
+    result.positions = mesh.GetPoints() + solution.displacement;
+  }
+  ProjectOntoLines(mesh, plan, result.positions);
+  if (plan.options.preserveVolume)
+  {
+    RestoreVolumes(mesh, plan, result.positions);
+  }
+  result.positionWeights = std::move(plan.problem.position.weights);
+  result.laplacianWeights = std::move(plan.problem.laplacian.weights);
+  return result;
+}
+}

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/RunPlan.h"
+
+#include "Core/Base/Threading.h"
+#include "Core/Optimizer/VolumePreservation.h"
+
+#include <algorithm>
+
+namespace lmo
+{
+void AddSolution(const Solution& solution, double tolerance, ModeResult& result)
+{
+  result.iterations += solution.iterations;
+  result.relativeResidual = std::max(result.relativeResidual, solution.relativeResidual);
+  result.isConverged = result.relativeResidual <= tolerance;
+}
+
+Points MoveVertices(const MeshQuantities& mesh, const RunPlan& plan, const Points& displacement)
+{
+  const Points& V = mesh.GetPoints();
+  Points positions(V.rows(), 3);
+  ParallelFor(static_cast<Index>(V.rows()),
+    [&](Index i) { positions.row(i) = V.row(i) + displacement.row(i); });
+  ProjectOntoLines(mesh, plan, positions);
+  return positions;
+}
+
+void ProjectOntoLines(const MeshQuantities& mesh, const RunPlan& plan, Points& positions)
+{
+  if (plan.lines)
+  {
+    mesh.GetSubdomain().ProjectOntoLines(*plan.lines, mesh.GetPoints(), positions);
+    mesh.GetSubdomain().UpdateCopies(positions);
+  }
+}
+
+void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, Points& positions)
+{
+  RestoreVolumes(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), mesh.GetComponents(),
+    plan.problem.motion, positions);
+}
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_RunPlan_h
+#define lmo_RunPlan_h
+
+#include "Core/LeastSquares/LeastSquaresProblem.h"
+#include "Core/Mesh/FeatureLines.h"
+#include "Core/Operators/CotangentWeights.h"
+#include "Core/Optimizer/OptimizerOptions.h"
+
+#include <functional>
+
+namespace lmo
+{
+/// Solves a problem as Solve() does.
+using ProblemSolver = std::function<Solution(
+  const LeastSquaresProblem&, SolverType, const SolverOptions&, ProgressMonitor&)>;
+
+/// A run of the Optimizer: what MakePlan() finds out once from options and arrays.
+struct RunPlan
+{
+  OptimizerOptions options;
+  std::shared_ptr<const CotangentWeights> weights; ///< those of L; null if it is L_u
+  bool hasFeatures = false;          ///< \a lines has feature lines, perhaps besides the boundary
+  std::optional<FeatureLines> lines; ///< along which vertices slide
+  LeastSquaresProblem problem;       ///< the first one that the mode solves, with the constraints
+  ProblemSolver solve;
+};
+
+/// What Mode::OPTIMIZE_WITHIN_DEVIATION did.
+struct DeviationReport
+{
+  Index passes = 0;     ///< that moved the surface
+  Index rolledBack = 0; ///< vertices that the last pass moved less than its solution
+  /// The Hausdorff distance of input and result, divided by the bounding-box diagonal, is at most
+  /// that.
+  double relativeBound = 0;
+};
+
+/// What a mode returns.
+struct ModeResult
+{
+  Points positions; ///< V'
+  Vector positionWeights;
+  Vector laplacianWeights;
+  Index iterations = 0; ///< of conjugate gradients, over all solutions
+  double relativeResidual = 0;
+  bool isConverged = true; ///< the residual is within the tolerance
+  DeviationReport deviation;
+  bool isCancelled = false; ///< the monitor asked to stop, and this is what there was by then
+};
+
+/// Adds a solution to the result: its iterations, and its residual if that is the largest.
+void AddSolution(const Solution& solution, double tolerance, ModeResult& result);
+
+/// V + d, with the vertices on lines at the closest points of these.
+Points MoveVertices(const MeshQuantities& mesh, const RunPlan& plan, const Points& displacement);
+
+/// Moves vertices on lines to the closest points of these.
+void ProjectOntoLines(const MeshQuantities& mesh, const RunPlan& plan, Points& positions);
+
+/// Gives closed components their volume back.
+/// \throw SolverError if that is not possible.
+void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, Points& positions);
+}
+
+#endif

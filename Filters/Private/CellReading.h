@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef CellReading_h
+#define CellReading_h
+
+#include "MeshNumbering.h"
+
+class vtkPolyData;
+
+namespace lmo
+{
+/// The triangles of a vtkPolyData, those of its polygons and strips included.
+struct SurfaceTriangles
+{
+  Triangles triangles;
+  TriangleCells triangleCells;
+};
+
+/// \throw InputError for polygons with fewer than three corners and point ids out of range.
+SurfaceTriangles ReadTriangles(vtkPolyData* input);
+}
+
+#endif

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OptimizerSession_h
+#define OptimizerSession_h
+
+#include "Core/Optimizer/Optimizer.h"
+#include "MeshNumbering.h"
+
+#include "vtkLaplacianMeshOptimizer.h"
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+class vtkDataArray;
+class vtkFieldData;
+class vtkPolyData;
+class vtkSelection;
+
+/// What a vtkLaplacianMeshOptimizer does with its input: this class in one process, derived classes
+/// in several. The optimizer is kept for the next execution, which often differs in a property
+/// alone.
+class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer::Session
+{
+public:
+  explicit Session(vtkLaplacianMeshOptimizer* filter);
+  virtual ~Session();
+  Session(const Session&) = delete;
+  void operator=(const Session&) = delete;
+
+  /// \param selection may be null
+  /// \param pieces in which the whole surface comes
+  void Execute(vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces);
+
+  /// Sets the metrics that the filter's Get methods return.
+  static void SetMetrics(vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result);
+
+protected:
+  /// \throw InputError if the surface is to come in several pieces that cannot be solved together.
+  virtual void CheckPieces(int pieces) const;
+
+  /// Calls body(), which looks at the data of this process.
+  /// \throw if body() does in this or another process
+  virtual void Try(const std::function<void()>& body) const;
+
+  virtual std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const;
+
+  /// Makes the optimizer of the input, unless it is the one that is there.
+  /// \throw InputError as lmo::ReadMesh() does.
+  virtual void SetInput(vtkPolyData* input);
+
+  /// True if Optimizer is not that of the input as it is now.
+  bool IsNew(vtkPolyData* input) const;
+
+  void SetOptimizer(
+    vtkPolyData* input, lmo::MeshNumbering numbering, std::unique_ptr<lmo::Optimizer> optimizer);
+
+  vtkLaplacianMeshOptimizer* const Filter;
+  std::unique_ptr<lmo::Optimizer> Optimizer;
+
+private:
+  /// \throw InputError if a property is out of range.
+  lmo::OptimizerOptions ReadOptions(vtkPolyData* input) const;
+
+  /// The point array of an index; null if none is chosen.
+  /// \throw InputError if the chosen one does not exist.
+  vtkDataArray* FindArray(int index, vtkPolyData* input) const;
+
+  /// \param selection may be null
+  lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
+
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
+
+  void WriteMetrics(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
+
+  lmo::MeshNumbering Numbering;
+  vtkPolyData* Input = nullptr; ///< to be compared only
+  vtkMTimeType InputTime = 0;
+};
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
+
+#endif
