@@ -68,12 +68,14 @@ PetscErrorCode DistributedEquations::GetDiagonal(Mat matrix, Vec diagonal)
     {
       DistributedEquations* equations = nullptr;
       Check(MatShellGetContext(matrix, &equations));
-      const Vector values = Diagonal(equations->Problem);
       const VectorRoom room(diagonal);
-      for (Index i = 0; i < equations->Mesh.GetNumberOfOwned(); ++i)
-      {
-        Eigen::Map<Eigen::Array3d>(room.Get() + 3 * std::ptrdiff_t(i)) = values[i];
-      }
+      ParallelFor(equations->Mesh.GetNumberOfOwned(),
+        [&](Index i)
+        {
+          const DiagonalBlock block = DiagonalAt(equations->Problem, i);
+          Eigen::Map<Eigen::Array3d>(room.Get() + 3 * std::ptrdiff_t(i)) =
+            block.isotropic + block.coupled.diagonal().array();
+        });
     });
 }
 

@@ -4,44 +4,56 @@
 #define lmo_LeastSquaresProblem_h
 
 #include "Core/LeastSquares/LaplacianTerm.h"
+#include "Core/LeastSquares/NormalAlignmentTerm.h"
 #include "Core/LeastSquares/PolylineTerm.h"
 #include "Core/LeastSquares/PositionTerm.h"
 #include "Core/LeastSquares/TangentPlaneTerm.h"
 #include "Core/Mesh/DisplacementConstraints.h"
 
+#include <tuple>
+
 namespace lmo
 {
-/// Eqn. 11 with the tangent-plane rows of Eqn. 15, for the displacement d = V' - V: minimise
-/// |W_L (L d - c)|^2 + sum of the squared line rows + |W_p d|^2 + w^2 sum_i (n_i d_i)^2,
-/// where c = f - L V.
+/// Eqn. 11 with the tangent planes of Eqn. 15 and more: minimise the sum of the terms over the
+/// displacements d = V' - V that the constraints allow. All forms of the problem loop over Terms().
 struct LeastSquaresProblem
 {
-  LaplacianTerm laplacian;
   PositionTerm position;
-  PolylineTerm polylines;
   TangentPlaneTerm tangentPlanes;
+  LaplacianTerm laplacian;
+  PolylineTerm polylines;
+  NormalAlignmentTerm normalAlignment;
   DisplacementConstraints motion;
 
-  Index Size() const { return static_cast<Index>(this->position.weights.size()); }
+  /// The terms, in the order in which they are summed.
+  auto Terms() const
+  {
+    return std::tie(
+      this->position, this->tangentPlanes, this->laplacian, this->polylines, this->normalAlignment);
+  }
+
+  Index Size() const { return this->position.Size(); }
+
+  /// True if a term mixes x, y and z.
+  bool HasCoupledTerms() const
+  {
+    return std::apply(
+      [](const auto&... terms) { return (terms.IsCoupled() || ...); }, this->Terms());
+  }
 
   /// True if x, y and z are not three independent systems with one matrix.
-  bool IsCoupled() const
-  {
-    return this->tangentPlanes.normals.rows() > 0 || this->motion.axes.rows() > 0;
-  }
+  bool IsCoupled() const { return this->HasCoupledTerms() || this->motion.axes.rows() > 0; }
 };
 
 /// The value that a solution minimises, from its definition.
 /// \param d no rows stand for 0
 double Energy(const LeastSquaresProblem& problem, const Points& d);
 
-/// Diagonal of L^T W_L^2 L + W_p^2 and the line rows, one value for x, y and z; 1 where no row of
-/// the problem touches the vertex.
-Vector Diagonal(const LeastSquaresProblem& problem);
+/// Block i of the diagonal of A, without the constraints; isotropic is 1 if no term sets it.
+DiagonalBlock DiagonalAt(const LeastSquaresProblem& problem, Index i);
 
-/// b - A d, the residual of the normal equations within the motion allowed. The matrix
-/// A = K Q K + line rows + W_p^2 + w^2 n n^T is applied, never formed; b = L^T W_L^2 c is the
-/// residual of d = 0.
+/// b - A d, the residual of the normal equations within the motion allowed: -1/2 of the gradient of
+/// the energy. The matrix A is applied, never formed; b is the residual of d = 0.
 /// \param d no rows stand for 0
 /// \param store called once for each vertex, on several threads, as store(i, residual of i)
 /// \return its norm, the same for any number of threads
@@ -50,16 +62,6 @@ double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, cons
 
 /// What ComputeResidual() computes, one row per vertex.
 Points Residual(const LeastSquaresProblem& problem, const Points& d);
-
-/// The rows y = G W_L^2 c + Q K d, with which L^T W_L^2 (c - L d) is -K y. As below, no rows of d
-/// stand for 0.
-Points WeightedRows(const LeastSquaresProblem& problem, const Points& d);
-
-/// Part of the residual at vertex i that the other rows give: positions and tangent planes.
-Vector3 PositionForce(const LeastSquaresProblem& problem, const Points& d, Index i);
-
-/// Part of the residual that the line rows give; no rows if there are none.
-Points LineForces(const LeastSquaresProblem& problem, const Points& d);
 }
 
 #include "Core/LeastSquares/LeastSquaresProblem.txx"

@@ -12,20 +12,20 @@ namespace lmo
 template <typename Store>
 double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, const Store& store)
 {
-  const Points y = WeightedRows(problem, d);
-  const Points lineForces = LineForces(problem, d);
-  return std::sqrt(ParallelSum(problem.Size(), 0.0,
-    [&, store = store](double& sum, Index i) mutable
-    {
-      Vector3 residual = PositionForce(problem, d, i) - StiffnessRow(problem.laplacian.L, y, i);
-      if (lineForces.rows() > 0)
+  const auto sumRows = [&](const auto&... rows)
+  {
+    return ParallelSum(problem.Size(), 0.0,
+      [&, store = store](double& squaredNorm, Index i) mutable
       {
-        residual += lineForces.row(i);
-      }
-      residual = problem.motion.Project(i, residual);
-      store(i, residual);
-      sum += residual.squaredNorm();
-    }));
+        Vector3 residual = Vector3::Zero();
+        (rows(i, residual), ...);
+        residual = problem.motion.Project(i, residual);
+        store(i, residual);
+        squaredNorm += residual.squaredNorm();
+      });
+  };
+  return std::sqrt(std::apply(
+    [&](const auto&... terms) { return sumRows(terms.ResidualRows(d)...); }, problem.Terms()));
 }
 }
 

@@ -3,8 +3,9 @@
 #ifndef lmo_NormalOperator_h
 #define lmo_NormalOperator_h
 
-#include "Core/LeastSquares/EllpackStiffness.h"
 #include "Core/LeastSquares/LeastSquaresProblem.h"
+
+#include <utility>
 
 namespace lmo
 {
@@ -44,21 +45,22 @@ public:
 
   Index Size() const { return this->Problem.Size(); }
   const LeastSquaresProblem& GetProblem() const { return this->Problem; }
-  std::shared_ptr<const EllpackStiffness<Scalar>> GetStiffness() const { return this->K; }
+  std::shared_ptr<const EllpackStiffness<Scalar>> GetStiffness() const
+  {
+    return std::get<LaplacianTerm::Product<Scalar>>(this->Products).GetStiffness();
+  }
 
   /// product = A x, for x within the motion allowed.
   /// \return the inner products of x and A x; three times their sum if the problem is coupled
   Dots Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 
 private:
-  /// Adds what is not K Q K + W_p^2 and projects on the motion allowed.
-  Dots FinishCoupled(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
+  template <typename... Terms>
+  static std::tuple<typename Terms::template Product<Scalar>...> ProductsOf(
+    const std::tuple<const Terms&...>&);
 
   const LeastSquaresProblem& Problem;
-  std::shared_ptr<const EllpackStiffness<Scalar>> K;
-  Eigen::Array<Scalar, Eigen::Dynamic, 1> Q;
-  Eigen::Array<Scalar, Eigen::Dynamic, 1> SquaredPositionWeights;
-  PackedPoints<Scalar> RowValues;
+  decltype(ProductsOf(std::declval<LeastSquaresProblem>().Terms())) Products;
 };
 
 extern template class NormalOperator<float>;

@@ -33,6 +33,38 @@ ConstPackedView<Scalar> View(const PackedPoints<Scalar>& points)
 {
   return { points.data(), 4, points.cols() };
 }
+
+template <typename Scalar>
+PackedRow<Scalar> Pack(const Vector3& x)
+{
+  return { Scalar(x[0]), Scalar(x[1]), Scalar(x[2]), Scalar(0) };
+}
+
+template <typename Scalar>
+Vector3 ToVector(const PackedRow<Scalar>& row)
+{
+  return row.template head<3>().template cast<double>();
+}
+
+/// A symmetric 3 x 3 matrix per vertex, as three packed rows.
+template <typename Scalar>
+using PackedMatrices = Eigen::Array<Scalar, 12, Eigen::Dynamic>;
+
+template <typename Scalar>
+Eigen::Array<Scalar, 12, 1> PackMatrix(const Matrix3& matrix)
+{
+  Eigen::Array<Scalar, 12, 1> rows;
+  rows << Pack<Scalar>(matrix.row(0)), Pack<Scalar>(matrix.row(1)), Pack<Scalar>(matrix.row(2));
+  return rows;
+}
+
+/// The product of a row with a symmetric matrix that starts at \a matrix.
+template <typename Scalar>
+PackedRow<Scalar> MultiplyPacked(const Scalar* matrix, const PackedRow<Scalar>& x)
+{
+  using Row = Eigen::Map<const PackedRow<Scalar>, Eigen::Aligned16>;
+  return x[0] * Row(matrix) + x[1] * Row(matrix + 4) + x[2] * Row(matrix + 8);
+}
 }
 
 #endif

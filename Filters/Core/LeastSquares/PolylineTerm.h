@@ -3,11 +3,15 @@
 #ifndef lmo_PolylineTerm_h
 #define lmo_PolylineTerm_h
 
-#include "Core/Base/Types.h"
+#include "Core/LeastSquares/EnergyTerm.h"
+#include "Core/Mesh/MeshTopology.h"
+
+#include <algorithm>
 
 namespace lmo
 {
-/// A Laplacian row of a polyline: weight ((d_previous + d_next) / 2 - d_vertex - target).
+/// A row of the Laplacian of a polyline: weight (l(d) - target) with
+/// l(d) = (d_previous + d_next) / 2 - d_vertex.
 struct PolylineRow
 {
   Index vertex;
@@ -15,12 +19,98 @@ struct PolylineRow
   Index next;
   double weight;
   Vector3 target;
+
+  /// target - l(d); d without rows stands for 0.
+  Vector3 Missing(const Points& d) const;
 };
 
-/// The sum of the squared rows of polylines.
+/// Feature lines and sliding boundaries: the sum of their squared rows.
 struct PolylineTerm
 {
   std::vector<PolylineRow> rows; ///< for vertices whose row of L is empty
+  AdjacencyLists rowsAt; ///< of each vertex: 3 k if it is previous in row k, 3 k + 1 if it is
+                         ///< vertex, 3 k + 2 if it is next
+
+  PolylineTerm() = default;
+  PolylineTerm(std::vector<PolylineRow> polylineRows, Index vertices);
+
+  bool IsCoupled() const { return false; }
+
+  double Energy(const Points& d) const;
+
+  auto ResidualRows(const Points& d) const
+  {
+    return [this, forces = this->Forces(d)](Index i, Vector3& sum)
+    {
+      Vector3 force = Vector3::Zero();
+      this->ForEachRowAt(
+        i, [&](Index row, double coefficient) { force += coefficient * forces.row(row); });
+      sum += force;
+    };
+  }
+
+  void AddDiagonal(Index i, DiagonalBlock& block) const
+  {
+    this->ForEachRowAt(i,
+      [&](Index row, double coefficient)
+      {
+        const double weight = this->rows[row].weight;
+        block.isotropic += coefficient * coefficient * weight * weight;
+      });
+  }
+
+  void AddEntries(MatrixEntries& entries) const;
+
+  /// Calls visit(row, coefficient) for the rows in which vertex i takes part: its derivative is
+  /// weight times coefficient.
+  template <typename Visit>
+  void ForEachRowAt(Index i, const Visit& visit) const
+  {
+    if (!this->rows.empty())
+    {
+      std::for_each(this->rowsAt.Begin(i), this->rowsAt.End(i),
+        [&](Index place) { visit(place / 3, place % 3 == 1 ? -1 : 0.5); });
+    }
+  }
+
+  /// weight^2 (target - l(d)) of each row; d without rows stands for 0.
+  Points Forces(const Points& d) const;
+
+  template <typename Scalar>
+  class Product
+  {
+  public:
+    static constexpr bool IsForCoupled = false;
+
+    /// Keeps a reference to \a term.
+    explicit Product(const PolylineTerm& term)
+      : Term(term)
+      , Forces(4, term.rows.size())
+    {
+    }
+
+    /// Computes weight^2 l(x) of each row.
+    void Prepare(const PackedPoints<Scalar>& x);
+
+    template <typename Body>
+    void WithRows(const Body& body) const
+    {
+      body(
+        [term = this->Term.rows.empty() ? nullptr : &this->Term, forces = View(this->Forces)](
+          Index i, const PackedRow<Scalar>&, PackedRow<Scalar>& sum)
+        {
+          if (term)
+          {
+            term->ForEachRowAt(i,
+              [&](Index row, double coefficient) { sum += Scalar(coefficient) * forces.col(row); });
+          }
+        });
+    }
+
+  private:
+    const PolylineTerm& Term;
+    PackedPoints<Scalar> Forces;
+  };
 };
 }
 

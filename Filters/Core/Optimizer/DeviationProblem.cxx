@@ -6,6 +6,7 @@
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lmo
 {
@@ -57,7 +58,7 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
 {
   DisplacementConstraints& motion = problem.motion;
   motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
-  problem.polylines.rows.clear();
+  std::vector<PolylineRow> rows;
   ForEachLineVertex(features,
     [&](Index i, Index previous, Index next)
     {
@@ -66,10 +67,10 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
       if (motion.freedom[i] == DisplacementConstraints::ALONG_LINE)
       {
         const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
-        problem.polylines.rows.push_back(
-          { i, previous, next, 1, -laplacian.dot(tangent) * tangent });
+        rows.push_back({ i, previous, next, 1, -laplacian.dot(tangent) * tangent });
       }
     });
+  problem.polylines = PolylineTerm(std::move(rows), mesh.GetTopology().vertices);
   auto target = std::make_shared<Points>(mesh.GetTopology().vertices, 3);
   ParallelFor(mesh.GetTopology().vertices,
     [&](Index i)

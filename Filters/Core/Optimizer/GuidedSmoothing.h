@@ -8,7 +8,7 @@
 namespace lmo
 {
 /// Moves the vertices so that the triangles take given normals m: minimises
-///   sum_f sum_{k in f} (m_f (v_k - c_f))^2 + beta^2 sum_i |T_i (L v)_i|^2 + mu^2 |v - V|^2,
+///   sum_f sum_{k in f} (m_f (v_k - c_f))^2 + sum_i |T_i (L v)_i|^2 + mu^2 |v - V|^2,
 /// where c_f is the triangle's centroid and T_i projects on the directions in which the normals
 /// around vertex i leave it free: two on a plane, one on an edge, none at a corner (the small
 /// eigenvalues of the sum of m m^T).

@@ -231,7 +231,8 @@ LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities, Laplacia
   problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
   if (lines)
   {
-    problem.polylines.rows = SlidingRows(*lines, mesh.GetPoints(), problem.laplacian.weights);
+    problem.polylines = PolylineTerm(
+      SlidingRows(*lines, mesh.GetPoints(), problem.laplacian.weights), problem.Size());
   }
   if (options.tangentPlaneConstraints)
   {

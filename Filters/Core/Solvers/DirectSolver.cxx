@@ -76,77 +76,45 @@ void EliminateFixed(const DisplacementConstraints& motion, SparseMatrix& A)
   }
 }
 
-/// K Q K + line rows + W_p^2, n x n.
-SparseMatrix FormMatrix(const LeastSquaresProblem& problem)
+/// P (A kron I + blocks) P + (I - P), where P projects on the motion allowed; vertex i has the rows
+/// 3i, 3i + 1, 3i + 2.
+SparseMatrix FormCoupledMatrix(const DisplacementConstraints& motion, const SparseMatrix& A,
+  const std::vector<BlockEntry>& blocks)
 {
-  const Index size = problem.Size();
   std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(size + 9 * problem.polylines.rows.size());
-  for (Index i = 0; i < size; ++i)
+  entries.reserve(9 * (A.nonZeros() + blocks.size()));
+  const auto addColumn = [&](Index i, Index j, int d, const Vector3& column)
   {
-    entries.emplace_back(i, i, problem.position.weights[i] * problem.position.weights[i]);
-  }
-  for (const PolylineRow& row : problem.polylines.rows)
-  {
-    const Index ids[3] = { row.previous, row.vertex, row.next };
-    const double values[3] = { 0.5 * row.weight, -row.weight, 0.5 * row.weight };
-    for (int a = 0; a < 3; ++a)
+    for (int c = 0; c < 3; ++c)
     {
-      for (int b = 0; b < 3; ++b)
+      if (column[c] != 0)
       {
-        entries.emplace_back(ids[a], ids[b], values[a] * values[b]);
+        entries.emplace_back(3 * i + c, 3 * j + d, column[c]);
       }
     }
-  }
-  SparseMatrix A(size, size);
-  A.setFromTriplets(entries.begin(), entries.end());
-  Vector Q(size);
-  for (Index i = 0; i < size; ++i)
+  };
+  const auto addBlock = [&](Index i, Index j, const Matrix3& block)
   {
-    Q[i] = problem.laplacian.RowWeight(i);
-  }
-  const SparseMatrix K = StiffnessMatrix(problem.laplacian.L);
-  const SparseMatrix QK = Q.asDiagonal() * K;
-  return A + SparseMatrix(K * QK);
-}
-
-/// P (A kron I + w^2 n n^T) P + (I - P), where P projects on the motion allowed; vertex i has the
-/// rows 3i, 3i + 1, 3i + 2.
-SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseMatrix& A)
-{
-  const DisplacementConstraints& motion = problem.motion;
-  const bool hasPlanes = problem.tangentPlanes.normals.rows() > 0;
-  std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(9 * A.nonZeros());
+    for (int d = 0; d < 3; ++d)
+    {
+      addColumn(i, j, d, motion.Project(i, motion.Project(j, Vector3::Unit(d)) * block));
+    }
+  };
   for (Index j = 0; j < A.cols(); ++j)
   {
     for (SparseMatrix::InnerIterator entry(A, j); entry; ++entry)
     {
-      const Index i = entry.row();
-      Matrix3 block = entry.value() * Matrix3::Identity();
-      if (i == j && hasPlanes)
-      {
-        const Vector3 normal = problem.tangentPlanes.weight * problem.tangentPlanes.normals.row(i);
-        block += normal.transpose() * normal;
-      }
-      for (int d = 0; d < 3; ++d)
-      {
-        const Vector3 unit = Vector3::Unit(d);
-        const Vector3 allowed = motion.Project(j, unit);
-        Vector3 column = motion.Project(i, allowed * block);
-        if (i == j)
-        {
-          column += unit - allowed;
-        }
-        for (int c = 0; c < 3; ++c)
-        {
-          if (column[c] != 0)
-          {
-            entries.emplace_back(3 * i + c, 3 * j + d, column[c]);
-          }
-        }
-      }
+      addBlock(entry.row(), j, entry.value() * Matrix3::Identity());
     }
+    for (int d = 0; d < 3; ++d)
+    {
+      const Vector3 unit = Vector3::Unit(d);
+      addColumn(j, j, d, unit - motion.Project(j, unit));
+    }
+  }
+  for (const BlockEntry& block : blocks)
+  {
+    addBlock(block.row, block.column, block.value);
   }
   SparseMatrix coupled(3 * A.rows(), 3 * A.cols());
   coupled.setFromTriplets(entries.begin(), entries.end());
@@ -157,9 +125,12 @@ SparseMatrix FormCoupledMatrix(const LeastSquaresProblem& problem, const SparseM
 SparseMatrix NormalMatrix(const LeastSquaresProblem& problem)
 {
   CheckDensity(problem);
-  SparseMatrix A = FormMatrix(problem);
+  MatrixEntries entries;
+  std::apply([&](const auto&... terms) { (terms.AddEntries(entries), ...); }, problem.Terms());
+  SparseMatrix A(problem.Size(), problem.Size());
+  A.setFromTriplets(entries.isotropic.begin(), entries.isotropic.end());
   EliminateFixed(problem.motion, A);
-  return problem.IsCoupled() ? FormCoupledMatrix(problem, A) : A;
+  return problem.IsCoupled() ? FormCoupledMatrix(problem.motion, A, entries.coupled) : A;
 }
 
 namespace

@@ -4,38 +4,49 @@
 
 #include "Core/Base/Threading.h"
 
+#include <Eigen/LU>
+
+#include <algorithm>
+
 namespace lmo
 {
+namespace
+{
+/// The inverse of P B P within the displacements allowed, on which P projects; 0 on the others.
+Matrix3 InverseWithin(const DisplacementConstraints& motion, Index i, const DiagonalBlock& block)
+{
+  constexpr double smallestRatio = 1e-12; // keeps rounding from making B singular
+  Matrix3 P;
+  for (int c = 0; c < 3; ++c)
+  {
+    P.row(c) = motion.Project(i, Vector3::Unit(c));
+  }
+  const double a = std::max(block.isotropic, smallestRatio * block.coupled.trace());
+  const Matrix3 B = a * Matrix3::Identity() + P * block.coupled * P;
+  return P * B.inverse() * P;
+}
+}
+
 template <typename Scalar>
 JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& problem)
 {
   const Index size = problem.Size();
-  const bool hasPlanes = problem.tangentPlanes.normals.rows() > 0;
-  const Vector diagonal = Diagonal(problem);
-  this->InverseDiagonal.resize(size);
-  this->Normals.resize(4, hasPlanes ? size : 0);
-  this->NormalFactor.resize(hasPlanes ? size : 0);
+  const bool isCoupled = problem.HasCoupledTerms();
+  this->InverseDiagonal.resize(isCoupled ? 0 : size);
+  this->InverseBlocks.resize(12, isCoupled ? size : 0);
   ParallelFor(size,
     [&](Index i)
     {
-      const double a = diagonal[i];
-      const auto freedom = problem.motion.freedom[i];
-      double inverse = freedom == DisplacementConstraints::FIXED ? 0 : 1 / a;
-      if (hasPlanes)
+      const DiagonalBlock block = DiagonalAt(problem, i);
+      if (isCoupled)
       {
-        const double w = problem.tangentPlanes.weight * problem.tangentPlanes.weight;
-        const Vector3 normal = problem.tangentPlanes.normals.row(i);
-        const bool isFree = freedom == DisplacementConstraints::FREE;
-        // Sherman-Morrison: (a I + w n n^T)^-1 = I / a - w / (a (a + w)) n n^T
-        this->NormalFactor[i] = static_cast<Scalar>(isFree ? w / (a * (a + w)) : 0);
-        this->Normals.col(i) << normal.transpose().array().template cast<Scalar>(), Scalar(0);
-        if (freedom == DisplacementConstraints::ALONG_LINE)
-        {
-          const double slope = normal.dot(problem.motion.axes.row(i));
-          inverse = 1 / (a + w * slope * slope);
-        }
+        this->InverseBlocks.col(i) = PackMatrix<Scalar>(InverseWithin(problem.motion, i, block));
       }
-      this->InverseDiagonal[i] = static_cast<Scalar>(inverse);
+      else
+      {
+        const bool isFixed = problem.motion.freedom[i] == DisplacementConstraints::FIXED;
+        this->InverseDiagonal[i] = static_cast<Scalar>(isFixed ? 0 : 1 / block.isotropic);
+      }
     });
 }
 

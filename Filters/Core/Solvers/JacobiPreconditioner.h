@@ -8,7 +8,7 @@
 
 namespace lmo
 {
-/// Approximates A by its diagonal, or by its 3 x 3 diagonal blocks where x, y and z are coupled.
+/// Approximates A by its diagonal, or by its 3 x 3 diagonal blocks if a term mixes x, y and z.
 /// A preconditioner M gives M^-1 r in two steps: Prepare(r) does what needs the whole residual, of
 /// which there is nothing here, and GetRows()(i, r_i) returns row i of the result.
 template <typename Scalar>
@@ -25,43 +25,19 @@ public:
   void Prepare(const PackedPoints<Scalar>&, ProgressMonitor&) {}
 
   /// Cheap to copy.
-  class Rows
+  auto GetRows() const
   {
-  public:
-    PackedRow<Scalar> operator()(Index i, const PackedRow<Scalar>& residual) const
+    return [isCoupled = this->InverseBlocks.cols() > 0, blocks = this->InverseBlocks.data(),
+             diagonal = this->InverseDiagonal.data()](Index i, const PackedRow<Scalar>& residual)
     {
-      PackedRow<Scalar> row = this->InverseDiagonal[i] * residual;
-      if (this->NormalFactor)
-      {
-        const PackedRow<Scalar> normal = this->Normals.col(i);
-        row -= this->NormalFactor[i] * (normal * residual).sum() * normal;
-      }
-      return row;
-    }
-
-  private:
-    friend class JacobiPreconditioner;
-
-    explicit Rows(const JacobiPreconditioner& M)
-      : InverseDiagonal(M.InverseDiagonal.data())
-      , Normals(View(M.Normals))
-      , NormalFactor(M.Normals.cols() > 0 ? M.NormalFactor.data() : nullptr)
-    {
-    }
-
-    const Scalar* InverseDiagonal;
-    ConstPackedView<Scalar> Normals;
-    const Scalar* NormalFactor;
-  };
-
-  Rows GetRows() const { return Rows(*this); }
+      return isCoupled ? MultiplyPacked(blocks + 12 * std::ptrdiff_t(i), residual)
+                       : PackedRow<Scalar>(diagonal[i] * residual);
+    };
+  }
 
 private:
-  using Values = Eigen::Array<Scalar, Eigen::Dynamic, 1>;
-
-  Values InverseDiagonal;       ///< 0 at fixed vertices
-  PackedPoints<Scalar> Normals; ///< of the tangent planes; no columns if there are none
-  Values NormalFactor;          ///< of the second term in the inverse of a I + w^2 n n^T
+  Eigen::Array<Scalar, Eigen::Dynamic, 1> InverseDiagonal; ///< 0 at fixed vertices
+  PackedMatrices<Scalar> InverseBlocks;                    ///< instead, if a term mixes x, y and z
 };
 
 extern template class JacobiPreconditioner<float>;

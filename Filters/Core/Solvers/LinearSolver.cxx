@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace lmo
 {
@@ -172,10 +173,16 @@ Solution Start(const LeastSquaresProblem& problem)
 }
 }
 
-Solution SolveByDiagonal(
-  const LeastSquaresProblem& problem, const SolverOptions& options, ProgressMonitor& monitor)
+Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
+  ProgressMonitor& monitor, Points guess)
 {
   Solution solution = Start(problem);
+  if (guess.rows() > 0 && !IsSolved(solution, options))
+  {
+    solution.displacement = std::move(guess);
+    solution.relativeResidual =
+      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
+  }
   if (!IsFinished(solution, options))
   {
     NormalOperator<float> A(problem);
@@ -185,6 +192,10 @@ Solution SolveByDiagonal(
   if (solution.displacement.rows() == 0)
   {
     solution.displacement = Points::Zero(problem.Size(), 3);
+  }
+  if (!IsFinished(solution, options))
+  {
+    IterateInDouble(problem, options, monitor, solution);
   }
   return solution;
 }

@@ -16,8 +16,9 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   ProgressMonitor& monitor, PreconditionerCache& inverses);
 
 /// The same by conjugate gradients with the diagonal alone, for problems that are known to suit it.
-Solution SolveByDiagonal(
-  const LeastSquaresProblem& problem, const SolverOptions& options, ProgressMonitor& monitor);
+/// \param guess of the displacement, within the motion allowed; no rows stand for 0
+Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
+  ProgressMonitor& monitor, Points guess = Points(0, 3));
 }
 
 #endif

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/LeastSquares/LaplacianTerm.h"
+
+#include "Core/Base/Threading.h"
+
+namespace lmo
+{
+double LaplacianTerm::Energy(const Points& d) const
+{
+  return ParallelSum(static_cast<Index>(d.rows()), 0.0,
+    [&](double& sum, Index i)
+    {
+      Vector3 difference =
+        -this->L.rowScale[i] * StiffnessRow(this->L, d, i) - this->target->row(i);
+      if (this->IsCoupled())
+      {
+        difference *= this->projectors[i];
+      }
+      sum += (this->weights[i] * difference).squaredNorm();
+    });
+}
+
+Points LaplacianTerm::WeightedRows(const Points& d) const
+{
+  const auto size = static_cast<Index>(this->weights.size());
+  Points y(size, 3);
+  ParallelFor(size,
+    [&](Index i)
+    {
+      const double weight = this->weights[i];
+      Vector3 row = this->L.rowScale[i] * weight * weight * this->target->row(i);
+      if (d.rows() > 0)
+      {
+        row += this->RowWeight(i) * StiffnessRow(this->L, d, i);
+      }
+      if (this->IsCoupled())
+      {
+        row *= this->projectors[i];
+      }
+      y.row(i) = row;
+    });
+  return y;
+}
+
+void LaplacianTerm::AddDiagonal(Index i, DiagonalBlock& block) const
+{
+  const auto add = [&](Index j, double stiffness) // K_ij^2 Q_j T_j
+  {
+    const double value = stiffness * stiffness * this->RowWeight(j);
+    if (this->IsCoupled())
+    {
+      block.coupled += value * this->projectors[j];
+    }
+    else
+    {
+      block.isotropic += value;
+    }
+  };
+  add(i, WeightSum(this->L, i));
+  const AdjacencyLists& rings = *this->L.rings;
+  for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
+  {
+    add(rings.ids[k], this->L.edgeWeights ? (*this->L.edgeWeights)[k] : 1);
+  }
+}
+
+void LaplacianTerm::AddEntries(MatrixEntries& entries) const
+{
+  const SparseMatrix K = StiffnessMatrix(this->L);
+  for (Index j = 0; j < K.cols(); ++j)
+  {
+    const double Q = this->RowWeight(j);
+    for (SparseMatrix::InnerIterator a(K, j); a; ++a)
+    {
+      for (SparseMatrix::InnerIterator b(K, j); b && Q > 0; ++b)
+      {
+        if (this->IsCoupled())
+        {
+          entries.AddBlock(a.row(), b.row(), a.value() * Q * b.value() * this->projectors[j]);
+        }
+        else
+        {
+          entries.isotropic.emplace_back(a.row(), b.row(), a.value() * Q * b.value());
+        }
+      }
+    }
+  }
+}
+
+template <typename Scalar>
+LaplacianTerm::Product<Scalar>::Product(const LaplacianTerm& term)
+  : K(std::make_shared<const EllpackStiffness<Scalar>>(term.L))
+  , Q(term.weights.size())
+  , Projectors(12, term.projectors.size())
+  , RowValues(4, term.weights.size())
+{
+  ParallelFor(static_cast<Index>(term.weights.size()),
+    [&](Index i)
+    {
+      this->Q[i] = static_cast<Scalar>(term.RowWeight(i));
+      if (term.IsCoupled())
+      {
+        this->Projectors.col(i) = PackMatrix<Scalar>(term.projectors[i]);
+      }
+    });
+}
+
+template <typename Scalar>
+void LaplacianTerm::Product<Scalar>::Prepare(const PackedPoints<Scalar>& x)
+{
+  this->K->WithRows(x,
+    [&](const auto& Kx)
+    {
+      ParallelFor(static_cast<Index>(x.cols()),
+        [Kx, Q = this->Q.data(), rowValues = View(this->RowValues),
+          isCoupled = this->Projectors.cols() > 0,
+          projectors = this->Projectors.data()](Index i) mutable
+        {
+          const PackedRow<Scalar> row = Q[i] * Kx(i);
+          rowValues.col(i) =
+            isCoupled ? MultiplyPacked(projectors + 12 * std::ptrdiff_t(i), row) : row;
+        });
+    });
+}
+
+template class LaplacianTerm::Product<float>;
+template class LaplacianTerm::Product<double>;
+}
