@@ -42,11 +42,6 @@ struct MatrixEntries
 {
   std::vector<Eigen::Triplet<double, Index>> isotropic; ///< multiples of the 3 x 3 identity
   std::vector<BlockEntry> coupled;
-
-  void AddBlock(Eigen::Index row, Eigen::Index column, const Matrix3& value)
-  {
-    this->coupled.push_back({ static_cast<Index>(row), static_cast<Index>(column), value });
-  }
 };
 }
 

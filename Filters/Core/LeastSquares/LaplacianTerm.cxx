@@ -6,6 +6,21 @@
 
 namespace lmo
 {
+namespace
+{
+/// Calls visit(j, K_ij) for the entries of row i of K.
+template <typename Visit>
+void ForEachStiffness(const Laplacian& L, Index i, const Visit& visit)
+{
+  const AdjacencyLists& rings = *L.rings;
+  visit(i, WeightSum(L, i));
+  for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
+  {
+    visit(rings.ids[k], L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0);
+  }
+}
+}
+
 double LaplacianTerm::Energy(const Points& d) const
 {
   return ParallelSum(static_cast<Index>(d.rows()), 0.0,
@@ -45,46 +60,43 @@ Points LaplacianTerm::WeightedRows(const Points& d) const
 
 void LaplacianTerm::AddDiagonal(Index i, DiagonalBlock& block) const
 {
-  const auto add = [&](Index j, double stiffness) // K_ij^2 Q_j T_j
-  {
-    const double value = stiffness * stiffness * this->RowWeight(j);
-    if (this->IsCoupled())
+  ForEachStiffness(this->L, i,
+    [&](Index j, double stiffness)
     {
-      block.coupled += value * this->projectors[j];
-    }
-    else
-    {
-      block.isotropic += value;
-    }
-  };
-  add(i, WeightSum(this->L, i));
-  const AdjacencyLists& rings = *this->L.rings;
-  for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-  {
-    add(rings.ids[k], this->L.edgeWeights ? (*this->L.edgeWeights)[k] : 1);
-  }
+      const double value = stiffness * stiffness * this->RowWeight(j);
+      if (this->IsCoupled())
+      {
+        block.coupled += value * this->projectors[j];
+      }
+      else
+      {
+        block.isotropic += value;
+      }
+    });
 }
 
 void LaplacianTerm::AddEntries(MatrixEntries& entries) const
 {
-  const SparseMatrix K = StiffnessMatrix(this->L);
-  for (Index j = 0; j < K.cols(); ++j)
+  for (Index j = 0; j < static_cast<Index>(this->weights.size()); ++j)
   {
-    const double Q = this->RowWeight(j);
-    for (SparseMatrix::InnerIterator a(K, j); a; ++a)
+    const auto addPair = [&](Index a, Index b, double value)
     {
-      for (SparseMatrix::InnerIterator b(K, j); b && Q > 0; ++b)
+      if (this->IsCoupled())
       {
-        if (this->IsCoupled())
-        {
-          entries.AddBlock(a.row(), b.row(), a.value() * Q * b.value() * this->projectors[j]);
-        }
-        else
-        {
-          entries.isotropic.emplace_back(a.row(), b.row(), a.value() * Q * b.value());
-        }
+        entries.coupled.push_back({ a, b, value * this->projectors[j] });
       }
-    }
+      else if (value != 0)
+      {
+        entries.isotropic.emplace_back(a, b, value);
+      }
+    };
+    ForEachStiffness(this->L, j,
+      [&](Index a, double stiffness)
+      {
+        const double weighted = stiffness * this->RowWeight(j);
+        ForEachStiffness(
+          this->L, j, [&](Index b, double other) { addPair(a, b, weighted * other); });
+      });
   }
 }
 

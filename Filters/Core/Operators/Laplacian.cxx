@@ -163,23 +163,4 @@ Points Apply(const Laplacian& L, const Points& x)
     RowCount(*L.rings), [&](Index i) { result.row(i) = -L.rowScale[i] * StiffnessRow(L, x, i); });
   return result;
 }
-
-SparseMatrix StiffnessMatrix(const Laplacian& L)
-{
-  const AdjacencyLists& rings = *L.rings;
-  const Index rows = RowCount(rings);
-  std::vector<Eigen::Triplet<double, Index>> entries;
-  entries.reserve(rings.ids.size() + rows);
-  for (Index i = 0; i < rows; ++i)
-  {
-    for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
-    {
-      entries.emplace_back(i, rings.ids[k], L.edgeWeights ? -(*L.edgeWeights)[k] : -1.0);
-    }
-    entries.emplace_back(i, i, WeightSum(L, i));
-  }
-  SparseMatrix K(rows, rows);
-  K.setFromTriplets(entries.begin(), entries.end());
-  return K;
-}
 }

@@ -84,9 +84,6 @@ Points Apply(const Laplacian& L, const Points& x);
 
 /// Sum of the edge weights around vertex i: E_ii.
 double WeightSum(const Laplacian& L, Index i);
-
-/// K = E - S as a sparse matrix.
-SparseMatrix StiffnessMatrix(const Laplacian& L);
 }
 
 #endif
