@@ -77,26 +77,28 @@ void LaplacianTerm::AddDiagonal(Index i, DiagonalBlock& block) const
 
 void LaplacianTerm::AddEntries(MatrixEntries& entries) const
 {
+  const auto add = [&](Index a, Index b, Index j, double value) // K_aj Q_j T_j K_jb
+  {
+    if (this->IsCoupled())
+    {
+      entries.coupled.push_back({ a, b, value * this->projectors[j] });
+    }
+    else
+    {
+      entries.isotropic.emplace_back(a, b, value);
+    }
+  };
   for (Index j = 0; j < static_cast<Index>(this->weights.size()); ++j)
   {
-    const auto addPair = [&](Index a, Index b, double value)
+    if (this->RowWeight(j) > 0) // else the ring may be too long for pairs
     {
-      if (this->IsCoupled())
-      {
-        entries.coupled.push_back({ a, b, value * this->projectors[j] });
-      }
-      else if (value != 0)
-      {
-        entries.isotropic.emplace_back(a, b, value);
-      }
-    };
-    ForEachStiffness(this->L, j,
-      [&](Index a, double stiffness)
-      {
-        const double weighted = stiffness * this->RowWeight(j);
-        ForEachStiffness(
-          this->L, j, [&](Index b, double other) { addPair(a, b, weighted * other); });
-      });
+      ForEachStiffness(this->L, j,
+        [&](Index a, double first)
+        {
+          ForEachStiffness(this->L, j,
+            [&](Index b, double second) { add(a, b, j, first * this->RowWeight(j) * second); });
+        });
+    }
   }
 }
 
