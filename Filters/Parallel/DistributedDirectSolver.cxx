@@ -91,7 +91,7 @@ void SolveComponents(const PetscKrylov& krylov, int components, Vec residual, Ve
 }
 }
 
-Solution SolveDirectly(const DistributedEquations& equations, double rightHandSideNorm)
+Points SolveDirectly(const DistributedEquations& equations)
 {
   const bool isCoupled =
     equations.GetMesh().GetCommunicator().Maximum(equations.GetProblem().IsCoupled()) > 0;
@@ -102,25 +102,21 @@ Solution SolveDirectly(const DistributedEquations& equations, double rightHandSi
   const PetscVector correction = equations.MakeVector(3);
   const PetscVector right = equations.MakeVector(1);
   const PetscVector left = equations.MakeVector(1);
-  Solution solution;
-  solution.rightHandSideNorm = rightHandSideNorm;
-  solution.displacement = Points::Zero(equations.GetProblem().Size(), 3);
+  Points d = Points::Zero(equations.GetProblem().Size(), 3);
+  equations.ComputeResidual(d, residual);
+  const double rightHandSideNorm = Norm(residual);
   // The second step removes most of what the formation of L^T L cost in digits.
   for (int step = 0; step < 2; ++step)
   {
-    equations.ComputeResidual(solution.displacement, residual);
     SolveComponents(krylov, components, residual, correction, right, left);
-    equations.Add(correction, solution.displacement);
+    equations.Add(correction, d);
+    equations.ComputeResidual(d, residual);
   }
-  equations.ComputeResidual(solution.displacement, residual);
-  double norm = 0;
-  Check(VecNorm(residual, NORM_2, &norm));
-  solution.relativeResidual = norm / rightHandSideNorm;
-  if (!(solution.relativeResidual < 1))
+  if (!(Norm(residual) < rightHandSideNorm))
   {
     throw SolverError("The linear system is singular: the weights leave some points undetermined. "
                       "Give them position weights, or use the iterative solver.");
   }
-  return solution;
+  return d;
 }
 }

@@ -3,15 +3,15 @@
 #ifndef lmo_DistributedDirectSolver_h
 #define lmo_DistributedDirectSolver_h
 
-#include "Core/Solvers/ConjugateGradient.h"
 #include "DistributedEquations.h"
 
 namespace lmo
 {
 /// Factorises the matrix of the equations, with MUMPS or as the options -lmo_direct_... say, and
 /// solves them. Collective.
+/// \return displacements that are right at the copies too
 /// \throw SolverError if the matrix is singular or PETSc lacks the package.
-Solution SolveDirectly(const DistributedEquations& equations, double rightHandSideNorm);
+Points SolveDirectly(const DistributedEquations& equations);
 }
 
 #endif

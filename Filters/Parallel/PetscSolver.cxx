@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PetscSolver.h"
 
+#include "Core/Solvers/ConjugateGradient.h"
+#include "Core/Solvers/SolverPolicy.h"
 #include "DistributedDirectSolver.h"
 #include "MultigridPreconditioner.h"
 
@@ -17,41 +19,32 @@ namespace
 constexpr Index AffordableJacobiIterations = 400;
 constexpr Index AffordableMultigridIterations = 200;
 
-/// The number of iterations is predicted after this share of the affordable ones.
-constexpr Index TrialShare = 5;
-
 /// One run of conjugate gradients, as PETSc's callbacks see it.
 struct Run
 {
-  const SolverOptions& options;
-  Index affordable;
-  ProgressMonitor& monitor;
-  double scale;  ///< |b|
-  Index earlier; ///< iterations
-  std::vector<double> norms;
-  bool isHopeless = false;
+  ConvergenceTest test;
+  double scale;             ///< |b|
+  double tolerance;         ///< relative residual
+  Index allowed;            ///< iterations
   std::exception_ptr error; ///< of the monitor
 };
 
 KSPConvergedReason Judge(Run& run, Index iteration, double norm)
 {
-  run.norms.push_back(norm / run.scale);
   if (!std::isfinite(norm))
   {
     return KSP_DIVERGED_NANORINF;
   }
-  const double tolerance = run.options.tolerance;
-  const double relative = run.norms.back();
-  run.monitor.Report(
-    relative > 0 ? std::min(std::max(std::log(relative) / std::log(tolerance), 0.0), 1.0) : 1);
-  run.isHopeless = iteration > run.affordable / TrialShare &&
-                   PredictIterations(run.norms, tolerance) > run.affordable;
-  if (relative <= tolerance)
+  if (iteration > 0)
+  {
+    run.test.Add(norm / run.scale);
+  }
+  if (norm / run.scale <= run.tolerance)
   {
     return KSP_CONVERGED_RTOL;
   }
-  const bool isUsedUp = run.earlier + iteration >= run.options.maximumIterations;
-  return isUsedUp || run.isHopeless ? KSP_DIVERGED_ITS : KSP_CONVERGED_ITERATING;
+  const bool isUsedUp = iteration >= run.allowed;
+  return isUsedUp || run.test.IsHopeless() ? KSP_DIVERGED_ITS : KSP_CONVERGED_ITERATING;
 }
 
 PetscErrorCode TestConvergence(
@@ -84,13 +77,6 @@ PetscErrorCode ApplyPreconditioner(PC pc, Vec residual, Vec result)
     });
 }
 
-double Norm(Vec vector)
-{
-  double norm = 0;
-  Check(VecNorm(vector, NORM_2, &norm));
-  return norm;
-}
-
 class Iteration
 {
 public:
@@ -115,24 +101,28 @@ public:
 
   /// Improves the solution until it meets the tolerance or there is no progress. Each run solves
   /// for a correction, from a residual that is computed anew.
-  void Improve(
-    const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution& solution)
+  Solution Improve(
+    const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution solution)
   {
+    solution.ProvideRows(this->Equations.GetProblem().Size());
     bool goesOn = true;
     while (goesOn && solution.relativeResidual > options.tolerance &&
            solution.iterations < options.maximumIterations)
     {
-      Run run{ options, affordable, monitor, solution.rightHandSideNorm, solution.iterations, {} };
+      Run run{ ConvergenceTest(options, affordable, monitor, solution.relativeResidual),
+        solution.rightHandSideNorm, options.tolerance,
+        options.maximumIterations - solution.iterations, {} };
       Points d = this->SolveForCorrection(run, solution);
       this->Equations.ComputeResidual(d, this->Residual);
       const double relative = Norm(this->Residual) / solution.rightHandSideNorm;
-      goesOn = !run.isHopeless && relative < solution.relativeResidual / 2;
+      goesOn = !run.test.IsHopeless() && relative < solution.relativeResidual / 2;
       if (relative < solution.relativeResidual)
       {
         solution.displacement = std::move(d);
         solution.relativeResidual = relative;
       }
     }
+    return solution;
   }
 
 private:
@@ -159,35 +149,18 @@ private:
   PetscKrylov Krylov;
 };
 
-bool IsSolved(const Solution& solution, const SolverOptions& options)
+/// The problem of the vertices that this process owns. The others follow their owners.
+LeastSquaresProblem FixGhostVertices(const LeastSquaresProblem& problem, const Subdomain& domain)
 {
-  return solution.relativeResidual <= options.tolerance;
-}
-
-/// The rows of the vertices that this process owns: the others only follow their owners.
-LeastSquaresProblem HoldCopies(const LeastSquaresProblem& problem, const Subdomain& domain)
-{
-  LeastSquaresProblem held = problem;
-  for (Index i = 0; i < held.Size(); ++i)
+  LeastSquaresProblem owned = problem;
+  for (Index i = 0; i < owned.Size(); ++i)
   {
     if (!domain.OwnsVertex(i))
     {
-      held.motion.freedom[i] = DisplacementConstraints::FIXED;
+      owned.motion.freedom[i] = DisplacementConstraints::FIXED;
     }
   }
-  return held;
-}
-
-/// The residual of d = 0.
-/// \param problem its copies are held
-Solution Start(const LeastSquaresProblem& problem, const Subdomain& domain)
-{
-  Solution solution;
-  solution.displacement = Points::Zero(problem.Size(), 3);
-  solution.rightHandSideNorm =
-    domain.Norm(ComputeResidual(problem, Points(0, 3), [](Index, const Vector3&) {}));
-  solution.relativeResidual = solution.rightHandSideNorm > 0 ? 1 : 0;
-  return solution;
+  return owned;
 }
 
 /// True if the user chose options for PETSc's conjugate gradients.
@@ -196,75 +169,90 @@ bool HasOptionsOfIteration(MPI_Comm comm)
   return HasPetscOptions(comm, "-lmo_ksp_") || HasPetscOptions(comm, "-lmo_pc_");
 }
 
-/// What one process does first: conjugate gradients in single precision, with the diagonal as
-/// preconditioner. They take a third of the time and memory traffic of PETSc's.
-/// \param problem its copies are held
-void IterateInSingle(const LeastSquaresProblem& problem, const SolverOptions& options,
-  ProgressMonitor& monitor, const Subdomain& domain, Solution& solution)
+/// The solvers of several processes. The first stage is that of one process, unless the user chose
+/// options for PETSc's conjugate gradients; all else is PETSc's.
+class DistributedSolvers : public SolverFamily
 {
-  NormalOperator<float> A(problem);
-  JacobiPreconditioner<float> M(problem);
-  Solution next = solution;
-  ConjugateGradient<float, JacobiPreconditioner<float>>(problem, A, M, domain)
-    .Run(options, AffordableJacobiIterations, monitor, next);
-  solution.iterations = next.iterations;
-  if (next.relativeResidual < solution.relativeResidual)
+public:
+  /// Keeps references to the arguments.
+  /// \param owned the problem with its ghost vertices FIXED
+  DistributedSolvers(const LeastSquaresProblem& problem, const LeastSquaresProblem& owned,
+    const SolverOptions& options, ProgressMonitor& monitor, const DistributedSubdomain& domain)
+    : Problem(problem)
+    , Owned(owned)
+    , Options(options)
+    , Monitor(monitor)
+    , Domain(domain)
   {
-    solution = std::move(next);
   }
-}
 
-void IterateWithDiagonal(DistributedEquations& equations, const SolverOptions& options,
-  Index affordable, ProgressMonitor& monitor, Solution& solution)
-{
-  const Application jacobi = [&](Vec residual, Vec result)
-  { equations.ApplyJacobi(residual, result); };
-  Iteration(equations, jacobi).Improve(options, affordable, monitor, solution);
-}
-
-void IterateWithMultigrid(DistributedEquations& equations, const SolverOptions& options,
-  ProgressMonitor& monitor, Solution& solution)
-{
-  if (IsSolved(solution, options) || solution.iterations >= options.maximumIterations)
+  std::vector<IterativeStage> GetStages() override
   {
-    return;
+    const bool isForPetsc = HasOptionsOfIteration(this->Domain.GetMesh().GetCommunicator().Get());
+    return {
+      { AffordableJacobiIterations, 0,
+        [=](Index affordable, const Solution& start)
+        {
+          return isForPetsc ? this->IterateWithDiagonal(affordable, start)
+                            : this->IterateInSingle(affordable, start);
+        } },
+      { AffordableMultigridIterations, 0,
+        [=](Index affordable, const Solution& start)
+        { return this->IterateWithMultigrid(affordable, start); } },
+    };
   }
-  const MultigridPreconditioner multigrid(equations);
-  const Application apply = [&](Vec residual, Vec result) { multigrid.Apply(residual, result); };
-  Iteration(equations, apply).Improve(options, AffordableMultigridIterations, monitor, solution);
-}
 
-/// Takes the direct solution if it is closer; keeps what there is if there is none.
-void ImproveDirectly(const DistributedEquations& equations, Solution& solution)
-{
-  try
+  Points SolveDirectly() override { return lmo::SolveDirectly(this->GetEquations()); }
+
+  Solution IterateInDouble(const Solution& start) override
   {
-    Solution direct = SolveDirectly(equations, solution.rightHandSideNorm);
-    if (direct.relativeResidual < solution.relativeResidual)
+    return this->IterateWithDiagonal(this->Options.maximumIterations, start);
+  }
+
+private:
+  /// Takes a third of the time and memory traffic of PETSc's conjugate gradients.
+  Solution IterateInSingle(Index affordable, Solution solution)
+  {
+    NormalOperator<float> A(this->Owned);
+    JacobiPreconditioner<float> M(this->Owned);
+    ConjugateGradient<float, JacobiPreconditioner<float>>(this->Owned, A, M, this->Domain)
+      .Run(this->Options, affordable, this->Monitor, solution);
+    return solution;
+  }
+
+  Solution IterateWithDiagonal(Index affordable, const Solution& start)
+  {
+    DistributedEquations& equations = this->GetEquations();
+    const Application jacobi = [&](Vec residual, Vec result)
+    { equations.ApplyJacobi(residual, result); };
+    return Iteration(equations, jacobi).Improve(this->Options, affordable, this->Monitor, start);
+  }
+
+  Solution IterateWithMultigrid(Index affordable, const Solution& start)
+  {
+    DistributedEquations& equations = this->GetEquations();
+    const MultigridPreconditioner multigrid(equations);
+    const Application apply = [&](Vec residual, Vec result) { multigrid.Apply(residual, result); };
+    return Iteration(equations, apply).Improve(this->Options, affordable, this->Monitor, start);
+  }
+
+  DistributedEquations& GetEquations()
+  {
+    if (!this->Equations)
     {
-      solution.displacement = std::move(direct.displacement);
-      solution.relativeResidual = direct.relativeResidual;
+      this->Equations =
+        std::make_unique<DistributedEquations>(this->Problem, this->Domain.GetMesh());
     }
+    return *this->Equations;
   }
-  catch (const SolverError&)
-  {
-  }
-}
 
-/// Goes on from the solution so far with multigrid and then, if it may, a factorisation.
-void ImproveByPetsc(DistributedEquations& equations, SolverType type, const SolverOptions& options,
-  ProgressMonitor& monitor, Solution& solution)
-{
-  IterateWithMultigrid(equations, options, monitor, solution);
-  if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
-  {
-    ImproveDirectly(equations, solution);
-  }
-  else if (!IsSolved(solution, options))
-  {
-    IterateWithDiagonal(equations, options, options.maximumIterations, monitor, solution);
-  }
-}
+  const LeastSquaresProblem& Problem;
+  const LeastSquaresProblem& Owned;
+  const SolverOptions& Options;
+  ProgressMonitor& Monitor;
+  const DistributedSubdomain& Domain;
+  std::unique_ptr<DistributedEquations> Equations; ///< made when they are needed
+};
 
 void CheckSize(std::int64_t vertices)
 {
@@ -283,31 +271,8 @@ Solution SolveDistributed(const LeastSquaresProblem& problem, SolverType type,
   const DistributedMesh& mesh = domain.GetMesh();
   const PetscSession session(mesh.GetCommunicator().Get());
   CheckSize(mesh.GetGlobalNumberOfVertices());
-  const LeastSquaresProblem held = HoldCopies(problem, domain);
-  Solution solution = Start(held, domain);
-  if (IsSolved(solution, options))
-  {
-    return solution;
-  }
-  if (type == SolverType::DIRECT)
-  {
-    monitor.Report(0);
-    return SolveDirectly(DistributedEquations(problem, mesh), solution.rightHandSideNorm);
-  }
-  const bool isForPetsc = HasOptionsOfIteration(mesh.GetCommunicator().Get());
-  if (!isForPetsc)
-  {
-    IterateInSingle(held, options, monitor, domain, solution);
-  }
-  if (!IsSolved(solution, options))
-  {
-    DistributedEquations equations(problem, mesh);
-    if (isForPetsc)
-    {
-      IterateWithDiagonal(equations, options, AffordableJacobiIterations, monitor, solution);
-    }
-    ImproveByPetsc(equations, type, options, monitor, solution);
-  }
-  return solution;
+  const LeastSquaresProblem owned = FixGhostVertices(problem, domain);
+  DistributedSolvers solvers(problem, owned, options, monitor, domain);
+  return SolverPolicy(owned, options, domain, solvers).Solve(type, monitor);
 }
 }

@@ -43,6 +43,13 @@ void Check(PetscErrorCode code)
   }
 }
 
+double Norm(Vec vector)
+{
+  double norm = 0;
+  Check(VecNorm(vector, NORM_2, &norm));
+  return norm;
+}
+
 bool IsPetscReady()
 {
   PetscBool isInitialized = PETSC_FALSE;

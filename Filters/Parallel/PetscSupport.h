@@ -14,6 +14,10 @@ namespace lmo
 /// \throw SolverError with PETSc's text if \a code is not 0.
 void Check(PetscErrorCode code);
 
+/// The Euclidean norm, over all processes.
+/// \throw SolverError for errors of PETSc.
+double Norm(Vec vector);
+
 /// Makes PETSc ready, if it is not, and its errors return codes as long as this object lives.
 /// PETSc is finalized together with MPI. Options are read from the environment variable
 /// PETSC_OPTIONS.

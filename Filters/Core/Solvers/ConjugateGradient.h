@@ -3,12 +3,9 @@
 #ifndef lmo_ConjugateGradient_h
 #define lmo_ConjugateGradient_h
 
-#include "Core/Base/ProgressMonitor.h"
+#include "Core/Mesh/Subdomain.h"
+#include "Core/Solvers/ConvergenceTest.h"
 #include "Core/Solvers/JacobiPreconditioner.h"
-#include "Core/Solvers/SolverOptions.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace lmo
 {
@@ -41,9 +38,6 @@ private:
 
   /// A residual this much larger than the one carried along starts the directions anew.
   static constexpr double LargestDrift = 2;
-
-  /// The number of iterations is predicted after this share of the affordable ones.
-  static constexpr Index TrialShare = 5;
 
   /// Computes the residual of d.
   /// \return its norm relative to |b|

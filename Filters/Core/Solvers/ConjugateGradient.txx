@@ -5,8 +5,8 @@
 
 #include "Core/Base/Threading.h"
 
+#include <cmath>
 #include <utility>
-#include <vector>
 
 namespace lmo
 {
@@ -14,17 +14,6 @@ namespace lmo
 inline Dots DivideDots(const Dots& a, const Dots& b)
 {
   return (a > 0 && b > 0).select(a / b, 0.0);
-}
-
-/// How many more iterations it takes to the tolerance, if the norms go on to fall as in the second
-/// half of what there is.
-inline double PredictIterations(const std::vector<double>& norms, double tolerance)
-{
-  const std::size_t done = norms.size() - 1;
-  const std::size_t half = done / 2;
-  const double fall = std::log(norms[half] / norms[done]);
-  const double left = std::log(norms[done] / tolerance);
-  return left <= 0 ? 0 : fall <= 0 ? HUGE_VAL : left / fall * (done - half);
 }
 
 template <typename Scalar, typename Preconditioner>
@@ -46,7 +35,7 @@ template <typename Scalar, typename Preconditioner>
 void ConjugateGradient<Scalar, Preconditioner>::Run(
   const SolverOptions& options, Index affordable, ProgressMonitor& monitor, Solution& solution)
 {
-  std::vector<double> norms{ solution.relativeResidual };
+  ConvergenceTest test(options, affordable, monitor, solution.relativeResidual);
   this->Scale = solution.rightHandSideNorm;
   ParallelFor(this->Problem.Size(),
     [direction = View(this->Direction), steps = View(this->Steps)](Index i) mutable
@@ -57,10 +46,7 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
   this->ReplaceResidual(solution.displacement);
   this->Precondition(monitor);
   this->UpdateDirection(Dots::Zero());
-  if (solution.displacement.rows() == 0)
-  {
-    solution.displacement = Points::Zero(this->Problem.Size(), 3);
-  }
+  solution.ProvideRows(this->Problem.Size());
   while (solution.relativeResidual > options.tolerance &&
          solution.iterations < options.maximumIterations)
   {
@@ -69,10 +55,8 @@ void ConjugateGradient<Scalar, Preconditioner>::Run(
     const Dots oldRho = this->Rho;
     const double norm = this->StepResidual();
     ++solution.iterations;
-    monitor.Report(std::clamp(std::log(norm) / std::log(options.tolerance), 0.0, 1.0));
-    norms.push_back(norm);
-    const bool isHopeless = static_cast<Index>(norms.size()) > affordable / TrialShare &&
-                            PredictIterations(norms, options.tolerance) > affordable;
+    test.Add(norm);
+    const bool isHopeless = test.IsHopeless();
     const bool isLast = solution.iterations == options.maximumIterations ||
                         !(this->Alpha > 0).any() || !(norm > options.tolerance) || isHopeless;
     const bool isReplaced =

@@ -4,10 +4,11 @@
 
 #include "Core/Base/Threading.h"
 #include "Core/Solvers/BilaplacianPreconditioner.h"
+#include "Core/Solvers/ConjugateGradient.h"
 #include "Core/Solvers/DirectSolver.h"
+#include "Core/Solvers/SolverPolicy.h"
 
 #include <cmath>
-#include <sstream>
 #include <utility>
 
 namespace lmo
@@ -21,46 +22,6 @@ constexpr Index AffordableJacobiIterations = 150;
 Index AffordableMultigridIterations(Index size)
 {
   return static_cast<Index>(40 + 0.25 * std::sqrt(size));
-}
-
-double ResidualNorm(const LeastSquaresProblem& problem, const Points& d)
-{
-  return ComputeResidual(problem, d, [](Index, const Vector3&) {});
-}
-
-bool IsSolved(const Solution& solution, const SolverOptions& options)
-{
-  return solution.relativeResidual <= options.tolerance;
-}
-
-bool IsFinished(const Solution& solution, const SolverOptions& options)
-{
-  return IsSolved(solution, options) || solution.iterations >= options.maximumIterations;
-}
-
-/// True if the energy is not above that of another displacement by more than round-off. Where the
-/// matrix is nearly singular a small residual does not say so.
-bool IsNoWorse(const LeastSquaresProblem& problem, const Points& d, const Points& other)
-{
-  constexpr double roundOff = 1e-9;
-  return Energy(problem, d) <= (1 + roundOff) * Energy(problem, other);
-}
-
-/// Goes on from the solution so far; keeps it if no better one is found.
-/// \param affordable as in ConjugateGradient::Run()
-template <typename Preconditioner, typename Scalar>
-void Iterate(NormalOperator<Scalar>& A, Preconditioner&& M, const SolverOptions& options,
-  Index affordable, ProgressMonitor& monitor, Solution& solution)
-{
-  Solution next = solution;
-  ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M, Subdomain())
-    .Run(options, affordable, monitor, next);
-  solution.iterations = next.iterations;
-  if (next.relativeResidual <= solution.relativeResidual &&
-      IsNoWorse(A.GetProblem(), next.displacement, solution.displacement))
-  {
-    solution = std::move(next);
-  }
 }
 
 /// Rough guess of the iterations that the Jacobi preconditioner needs: about 11 over a typical
@@ -80,163 +41,153 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
   return 11 * problem.Size() / sum;
 }
 
-/// Conjugate gradients with the cheapest preconditioner first, then with stronger ones.
-/// \throw SolverError if K + R is singular to double precision.
-void SolveIteratively(const LeastSquaresProblem& problem, const SolverOptions& options,
-  ProgressMonitor& monitor, PreconditionerCache& inverses, Solution& solution)
+/// Goes on from a solution.
+/// \param affordable as in ConjugateGradient::Run()
+template <typename Preconditioner, typename Scalar>
+Solution Iterate(NormalOperator<Scalar>& A, Preconditioner M, const SolverOptions& options,
+  Index affordable, ProgressMonitor& monitor, Solution solution)
 {
-  NormalOperator<float> A(problem);
-  if (ExpectedJacobiIterations(problem) < AffordableJacobiIterations)
-  {
-    Iterate(A, JacobiPreconditioner<float>(problem), options, AffordableJacobiIterations, monitor,
-      solution);
-  }
-  if (IsFinished(solution, options))
-  {
-    return;
-  }
-  monitor.Report(0);
-  const auto soft = std::make_shared<const ShiftedStiffness>(
-    problem, A.GetStiffness(), problem.laplacian.softEdgeWeights);
-  Iterate(A,
-    BilaplacianPreconditioner<Multigrid>(problem, soft, inverses.GetMultigrid(soft, monitor)),
-    options, AffordableMultigridIterations(problem.Size()), monitor, solution);
-  if (IsFinished(solution, options))
-  {
-    return;
-  }
-  monitor.Report(0);
-  // What multigrid cannot cope with is nothing to a factorisation.
-  const auto exact = problem.laplacian.softEdgeWeights
-                       ? std::make_shared<const ShiftedStiffness>(problem, A.GetStiffness())
-                       : soft;
-  Iterate(A,
-    BilaplacianPreconditioner<ShiftedCholesky>(
-      problem, exact, inverses.GetFactorisation(exact, monitor)),
-    options, options.maximumIterations, monitor, solution);
-}
-
-/// Double precision reaches what single precision cannot represent, such as weights of 1e-25.
-void IterateInDouble(const LeastSquaresProblem& problem, const SolverOptions& options,
-  ProgressMonitor& monitor, Solution& solution)
-{
-  NormalOperator<double> A(problem);
-  Iterate(A, JacobiPreconditioner<double>(problem), options, options.maximumIterations, monitor,
-    solution);
-}
-
-/// Takes the direct solution if it is closer; keeps what there is if the matrix is singular, and
-/// the caller sees its residual.
-void ImproveDirectly(
-  const LeastSquaresProblem& problem, ProgressMonitor& monitor, Solution& solution)
-{
-  try
-  {
-    Points direct = SolveDirectly(problem, monitor);
-    const double residual = ResidualNorm(problem, direct) / solution.rightHandSideNorm;
-    if (residual < solution.relativeResidual && IsNoWorse(problem, direct, solution.displacement))
-    {
-      solution.displacement = std::move(direct);
-      solution.relativeResidual = residual;
-    }
-  }
-  catch (const SolverError&)
-  {
-  }
-}
-
-/// \throw SolverError if a solution is worse than no motion.
-void CheckEnergy(const LeastSquaresProblem& problem, const Solution& solution)
-{
-  if (!IsNoWorse(problem, solution.displacement, {}))
-  {
-    std::ostringstream text;
-    text << "The energy of the solver's result is " << Energy(problem, solution.displacement)
-         << ", worse than that of the input, " << Energy(problem, {})
-         << ": the system is nearly singular. Choose weights that differ less in size, or use the "
-            "iterative solver.";
-    throw SolverError(text.str());
-  }
-}
-
-/// The residual of d = 0; solved if it is 0.
-Solution Start(const LeastSquaresProblem& problem)
-{
-  Solution solution;
-  solution.rightHandSideNorm = ResidualNorm(problem, solution.displacement);
-  if (!(solution.rightHandSideNorm > 0))
-  {
-    solution.displacement = Points::Zero(problem.Size(), 3);
-    solution.relativeResidual = 0;
-  }
+  ConjugateGradient<Scalar, Preconditioner>(A.GetProblem(), A, M, Subdomain())
+    .Run(options, affordable, monitor, solution);
   return solution;
 }
+
+/// The solvers of one process that holds the mesh whole. The stages are conjugate gradients in
+/// single precision with one preconditioner after the other.
+class LocalSolvers : public SolverFamily
+{
+public:
+  /// Keeps references to the arguments.
+  LocalSolvers(const LeastSquaresProblem& problem, const SolverOptions& options,
+    ProgressMonitor& monitor, PreconditionerCache& inverses)
+    : Problem(problem)
+    , Options(options)
+    , Monitor(monitor)
+    , Inverses(inverses)
+  {
+  }
+
+  double GetEnergy(const Points& d) const override { return Energy(this->Problem, d); }
+
+  std::vector<IterativeStage> GetStages() override
+  {
+    this->A = std::make_unique<NormalOperator<float>>(this->Problem);
+    return {
+      { AffordableJacobiIterations, ExpectedJacobiIterations(this->Problem),
+        [this](Index affordable, const Solution& start)
+        { return this->IterateWithDiagonal(affordable, start); } },
+      { AffordableMultigridIterations(this->Problem.Size()), 0,
+        [this](Index affordable, const Solution& start)
+        { return this->IterateWithMultigrid(affordable, start); } },
+      { this->Options.maximumIterations, 0,
+        [this](Index affordable, const Solution& start)
+        { return this->IterateWithFactorisation(affordable, start); } },
+    };
+  }
+
+  Points SolveDirectly() override
+  {
+    this->ReleaseStages();
+    return lmo::SolveDirectly(this->Problem, this->Monitor);
+  }
+
+  Solution IterateInDouble(const Solution& start) override
+  {
+    this->ReleaseStages();
+    NormalOperator<double> A(this->Problem);
+    return Iterate(A, JacobiPreconditioner<double>(this->Problem), this->Options,
+      this->Options.maximumIterations, this->Monitor, start);
+  }
+
+private:
+  Solution IterateWithDiagonal(Index affordable, const Solution& start)
+  {
+    return Iterate(*this->A, JacobiPreconditioner<float>(this->Problem), this->Options, affordable,
+      this->Monitor, start);
+  }
+
+  /// Multigrid converges faster with clamped cotangents.
+  Solution IterateWithMultigrid(Index affordable, const Solution& start)
+  {
+    this->Monitor.Report(0);
+    this->Shifted = std::make_shared<const ShiftedStiffness>(
+      this->Problem, this->A->GetStiffness(), this->Problem.laplacian.softEdgeWeights);
+    return this->IterateWith(
+      this->Inverses.GetMultigrid(this->Shifted, this->Monitor), affordable, start);
+  }
+
+  /// A factorisation serves where the V-cycle converges slowly. It needs no clamped cotangents.
+  Solution IterateWithFactorisation(Index affordable, const Solution& start)
+  {
+    this->Monitor.Report(0);
+    if (this->Problem.laplacian.softEdgeWeights)
+    {
+      this->Shifted =
+        std::make_shared<const ShiftedStiffness>(this->Problem, this->A->GetStiffness());
+    }
+    try
+    {
+      return this->IterateWith(
+        this->Inverses.GetFactorisation(this->Shifted, this->Monitor), affordable, start);
+    }
+    catch (const SolverError&)
+    {
+      return start; // K + R is singular to double precision
+    }
+  }
+
+  template <typename Inverse>
+  Solution IterateWith(std::shared_ptr<Inverse> inverse, Index affordable, const Solution& start)
+  {
+    return Iterate(*this->A,
+      BilaplacianPreconditioner<Inverse>(this->Problem, this->Shifted, std::move(inverse)),
+      this->Options, affordable, this->Monitor, start);
+  }
+
+  /// Their memory serves for what follows.
+  void ReleaseStages()
+  {
+    this->A.reset();
+    this->Shifted.reset();
+  }
+
+  const LeastSquaresProblem& Problem;
+  const SolverOptions& Options;
+  ProgressMonitor& Monitor;
+  PreconditionerCache& Inverses;
+  std::unique_ptr<NormalOperator<float>> A;
+  std::shared_ptr<const ShiftedStiffness> Shifted; ///< of the last stage that had one
+};
 }
 
 Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
   ProgressMonitor& monitor, Points guess)
 {
-  Solution solution = Start(problem);
-  if (guess.rows() > 0 && !IsSolved(solution, options))
-  {
-    solution.displacement = std::move(guess);
-    solution.relativeResidual =
-      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
-  }
-  if (!IsFinished(solution, options))
+  const Subdomain whole;
+  PreconditionerCache none;
+  LocalSolvers solvers(problem, options, monitor, none);
+  const SolverPolicy policy(problem, options, whole, solvers);
+  Solution solution = policy.Start(std::move(guess));
+  if (!policy.IsFinished(solution))
   {
     NormalOperator<float> A(problem);
-    Iterate(A, JacobiPreconditioner<float>(problem), options, options.maximumIterations, monitor,
+    policy.Accept(Iterate(A, JacobiPreconditioner<float>(problem), options,
+                    options.maximumIterations, monitor, solution),
       solution);
   }
-  if (solution.displacement.rows() == 0)
+  if (!policy.IsFinished(solution))
   {
-    solution.displacement = Points::Zero(problem.Size(), 3);
+    policy.Accept(solvers.IterateInDouble(solution), solution);
   }
-  if (!IsFinished(solution, options))
-  {
-    IterateInDouble(problem, options, monitor, solution);
-  }
+  solution.ProvideRows(problem.Size());
   return solution;
 }
 
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   ProgressMonitor& monitor, PreconditionerCache& inverses)
 {
-  Solution solution = Start(problem);
-  if (IsSolved(solution, options))
-  {
-    return solution;
-  }
-  if (type == SolverType::DIRECT)
-  {
-    monitor.Report(0);
-    solution.displacement = SolveDirectly(problem, monitor);
-    solution.relativeResidual =
-      ResidualNorm(problem, solution.displacement) / solution.rightHandSideNorm;
-    CheckEnergy(problem, solution);
-    return solution;
-  }
-  try
-  {
-    SolveIteratively(problem, options, monitor, inverses, solution);
-  }
-  catch (const SolverError&)
-  {
-    // What follows decides.
-  }
-  if (solution.displacement.rows() == 0)
-  {
-    solution.displacement = Points::Zero(problem.Size(), 3);
-  }
-  if (!IsSolved(solution, options) && type == SolverType::AUTOMATIC)
-  {
-    ImproveDirectly(problem, monitor, solution);
-  }
-  if (!IsFinished(solution, options))
-  {
-    IterateInDouble(problem, options, monitor, solution);
-  }
-  return solution;
+  const Subdomain whole;
+  LocalSolvers solvers(problem, options, monitor, inverses);
+  return SolverPolicy(problem, options, whole, solvers).Solve(type, monitor);
 }
 }

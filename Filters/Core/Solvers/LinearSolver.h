@@ -3,14 +3,16 @@
 #ifndef lmo_LinearSolver_h
 #define lmo_LinearSolver_h
 
-#include "Core/Solvers/ConjugateGradient.h"
+#include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Solvers/PreconditionerCache.h"
+#include "Core/Solvers/SolverOptions.h"
 
 namespace lmo
 {
+/// Solves a problem as SolverPolicy chooses.
 /// \param inverses from problems before, which may help
 /// \throw SolverError if a direct solution is asked for and the matrix is singular or too dense, or
-/// its solution is worse than no motion.
+/// its solution is worse than no displacement.
 /// \throw Cancelled if the monitor says so.
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
   ProgressMonitor& monitor, PreconditionerCache& inverses);

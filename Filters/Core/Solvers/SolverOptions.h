@@ -29,6 +29,15 @@ struct Solution
   Index iterations = 0;         ///< 0 from a direct solver
   double rightHandSideNorm = 0; ///< |b|
   double relativeResidual = 1;  ///< |b - A d| / |b|, computed from the problem and d
+
+  /// Gives d rows that are 0 if it has none.
+  void ProvideRows(Index size)
+  {
+    if (this->displacement.rows() == 0)
+    {
+      this->displacement = Points::Zero(size, 3);
+    }
+  }
 };
 }
 
