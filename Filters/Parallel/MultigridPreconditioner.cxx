@@ -29,7 +29,7 @@ void MultigridPreconditioner::FormMatrix()
   std::vector<double> values;
   for (Index i = 0; i < owned; ++i)
   {
-    this->Shifted.ForEachEntry(i,
+    this->Shifted.ForEachEntryWithIdentity(i,
       [&](Index column, double value)
       {
         columns.push_back(static_cast<PetscInt>(mesh.GetRow(column)));

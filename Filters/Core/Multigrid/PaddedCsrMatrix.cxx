@@ -27,6 +27,20 @@ PaddedCsrMatrix::PaddedCsrMatrix(const SparseRows& matrix)
         this->Columns.data() + first);
       std::copy(matrix.valuePtr() + offsets[i], matrix.valuePtr() + offsets[i + 1],
         this->Values.data() + first);
+      for (Index k = first + offsets[i + 1] - offsets[i]; k < this->Offsets[i + 1]; ++k)
+      {
+        this->Columns[k] = this->Columns[k - 1];
+      }
+    });
+}
+
+void Assign(const PaddedCsrMatrix& A, const PackedPoints<float>& x, PackedPoints<float>& product)
+{
+  A.WithRows(x,
+    [&](const auto& rows)
+    {
+      ParallelFor(
+        A.Size(), [=, product = View(product)](Index i) mutable { product.col(i) = rows(i); });
     });
 }
 }

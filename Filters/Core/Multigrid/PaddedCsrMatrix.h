@@ -3,24 +3,47 @@
 #ifndef lmo_PaddedCsrMatrix_h
 #define lmo_PaddedCsrMatrix_h
 
-#include "Core/LeastSquares/EllpackStiffness.h"
+#include "Core/LeastSquares/PackedPoints.h"
 #include "Core/Multigrid/SparseProduct.h"
+
+#include <vector>
 
 namespace lmo
 {
 /// A sparse matrix for fast products with packed points: zeros fill each row up to a multiple of
-/// four entries, since the processor could not predict where rows of any length end.
+/// four entries, since the processor could not predict where rows of any length end. They repeat
+/// the column of the last entry.
 class PaddedCsrMatrix
 {
 public:
   PaddedCsrMatrix() = default;
   explicit PaddedCsrMatrix(const SparseRows& matrix);
 
+  /// Number of rows.
   Index Size() const { return static_cast<Index>(this->Offsets.size()) - 1; }
 
-  class Times;
+  /// Calls visit(column, value) for the entries of row i.
+  template <typename Visit>
+  void ForEachEntry(Index i, const Visit& visit) const
+  {
+    Index last = -1;
+    for (Index k = this->Offsets[i]; k < this->Offsets[i + 1] && this->Columns[k] != last; ++k)
+    {
+      last = this->Columns[k];
+      visit(last, this->Values[k]);
+    }
+  }
+
+  /// Calls body(rows), where rows(i) is row i of A x and cheap to copy.
+  template <typename Body>
+  void WithRows(const PackedPoints<float>& x, const Body& body) const
+  {
+    body(Times(*this, x));
+  }
 
 private:
+  class Times;
+
   static constexpr Index Unit = 4;
 
   std::vector<Index> Offsets;
@@ -28,7 +51,6 @@ private:
   std::vector<float> Values;
 };
 
-/// The rows of A x; cheap to copy.
 class PaddedCsrMatrix::Times
 {
 public:
@@ -61,6 +83,9 @@ private:
   const Index* Columns;
   const float* Values;
 };
+
+/// product = A x
+void Assign(const PaddedCsrMatrix& A, const PackedPoints<float>& x, PackedPoints<float>& product);
 }
 
 #endif

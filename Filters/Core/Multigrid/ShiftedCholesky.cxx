@@ -23,7 +23,7 @@ SparseMatrix LowerTriangle(const ShiftedStiffness& matrix)
   for (Index j = 0; j < matrix.Size(); ++j)
   {
     lower.startVec(j);
-    matrix.ForEachEntry(j,
+    matrix.ForEachEntryWithIdentity(j,
       [&](Index i, double value)
       {
         if (i >= j)

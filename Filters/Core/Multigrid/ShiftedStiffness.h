@@ -43,25 +43,50 @@ struct ShiftedStiffness
 
   Index Size() const { return static_cast<Index>(this->shift.size()); }
 
-  /// Calls add(column, value) for the entries of row i; a vertex left out has a row of the
-  /// identity.
-  template <typename Add>
-  void ForEachEntry(Index i, const Add& add) const
+  /// Calls visit(column, value) for the entries of row i; row and column of a vertex left out are
+  /// empty.
+  template <typename Visit>
+  void ForEachEntry(Index i, const Visit& visit) const
   {
     if (this->isLeftOut[i])
     {
-      add(i, 1.0);
       return;
     }
-    add(i, this->diagonal[i]);
+    visit(i, this->diagonal[i]);
     const AdjacencyLists& rings = *this->L.rings;
     for (Index k = rings.offsets[i]; k < rings.offsets[i + 1]; ++k)
     {
       if (!this->isLeftOut[rings.ids[k]])
       {
-        add(rings.ids[k], this->L.edgeWeights ? -(*this->L.edgeWeights)[k] : -1.0);
+        visit(rings.ids[k], this->L.edgeWeights ? -(*this->L.edgeWeights)[k] : -1.0);
       }
     }
+  }
+
+  /// The same with 1 in the diagonal of a vertex left out, so that the matrix is not singular.
+  template <typename Visit>
+  void ForEachEntryWithIdentity(Index i, const Visit& visit) const
+  {
+    if (this->isLeftOut[i])
+    {
+      visit(i, 1.0);
+      return;
+    }
+    this->ForEachEntry(i, visit);
+  }
+
+  /// Calls body(rows), where rows(i) is row i of (K + R) x and cheap to copy. The rows of vertices
+  /// left out have no meaning.
+  /// \param x 0 at vertices left out
+  template <typename Body>
+  void WithRows(const PackedPoints<float>& x, const Body& body) const
+  {
+    this->K->WithRows(x,
+      [&](const auto& Kx)
+      {
+        body([Kx, shift = this->shift.data(), x = View(x)](Index i)
+          { return PackedRow<float>(Kx(i) + shift[i] * x.col(i)); });
+      });
   }
 };
 }

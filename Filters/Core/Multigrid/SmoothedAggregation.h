@@ -3,23 +3,15 @@
 #ifndef lmo_SmoothedAggregation_h
 #define lmo_SmoothedAggregation_h
 
+#include "Core/Multigrid/ChebyshevSmoother.h"
 #include "Core/Multigrid/SparseProduct.h"
 
 #include <vector>
 
-/// Coarsening of a symmetric matrix by smoothed aggregation (Vanek, Mandel, Brezina 1996). Matrices
-/// are lists of rows, with Size() and ForEachEntry(row, visit).
+/// Coarsening of a symmetric matrix by smoothed aggregation (Vanek, Mandel, Brezina 1996). A matrix
+/// has Size() and ForEachEntry() as ChebyshevSmoother describes them.
 namespace lmo
 {
-/// What SmootherScale() bounds.
-constexpr float LargestEigenvalue = 2;
-
-/// A diagonal: reciprocals of half the rows' sums of magnitudes. No eigenvalue of the matrix scaled
-/// by it is above 2 (Gershgorin). Unlike one bound for the whole matrix it is local: triangles with
-/// large negative cotangents slow down a smoother only where they are.
-template <typename Rows>
-Eigen::ArrayXf SmootherScale(const Rows& A);
-
 /// Groups of strongly connected unknowns.
 struct Aggregation
 {
@@ -28,13 +20,14 @@ struct Aggregation
   Index count = 0;
 };
 
-template <typename Rows>
-Aggregation Aggregate(const Rows& A);
+template <typename Matrix>
+Aggregation Aggregate(const Matrix& A);
 
-/// (I - 4 / (3 lambda) D A) times the piecewise constant prolongation, D the smoother's scale.
-template <typename Rows>
+/// (I - 4 / (3 lambda) D A) times the piecewise constant prolongation, D and lambda the smoother's
+/// scale and bound of the eigenvalues.
+template <typename Matrix>
 SparseRows SmoothedProlongation(
-  const Rows& A, const Eigen::ArrayXf& smootherScale, const Aggregation& aggregation);
+  const Matrix& A, const ChebyshevSmoother& smoother, const Aggregation& aggregation);
 }
 
 #include "Core/Multigrid/SmoothedAggregation.txx"

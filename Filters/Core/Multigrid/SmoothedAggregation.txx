@@ -5,45 +5,19 @@
 
 #include "Core/Base/Threading.h"
 
-#include <cmath>
-
 namespace lmo
 {
-template <typename Rows>
-Eigen::ArrayXf SmootherScale(const Rows& A)
-{
-  Eigen::ArrayXf scale(A.Size());
-  ParallelFor(A.Size(),
-    [&](Index i)
-    {
-      float sum = 0;
-      A.ForEachEntry(i, [&](Index, double value) { sum += std::abs(static_cast<float>(value)); });
-      scale[i] = 2 / sum;
-    });
-  return scale;
-}
-
 /// Negative entries that are not small beside the diagonal.
-template <typename Rows>
+template <typename Matrix>
 class StrongConnections
 {
 public:
-  explicit StrongConnections(const Rows& A)
+  explicit StrongConnections(const Matrix& A)
     : A(A)
     , Diagonal(A.Size())
   {
-    ParallelFor(A.Size(),
-      [&](Index i)
-      {
-        A.ForEachEntry(i,
-          [&](Index j, double value)
-          {
-            if (i == j)
-            {
-              this->Diagonal[i] = static_cast<float>(value);
-            }
-          });
-      });
+    ParallelFor(
+      A.Size(), [&](Index i) { this->Diagonal[i] = static_cast<float>(DiagonalEntry(A, i)); });
   }
 
   /// Calls visit(j, magnitude) for the strong connections of unknown i.
@@ -63,15 +37,15 @@ public:
   }
 
 private:
-  const Rows& A;
+  const Matrix& A;
   Eigen::ArrayXf Diagonal;
 };
 
-template <typename Rows>
-Aggregation Aggregate(const Rows& A)
+template <typename Matrix>
+Aggregation Aggregate(const Matrix& A)
 {
   constexpr Index undecided = -2;
-  const StrongConnections<Rows> connections(A);
+  const StrongConnections<Matrix> connections(A);
   Aggregation result;
   std::vector<Index>& aggregateOf = result.aggregateOf;
   aggregateOf.assign(A.Size(), undecided);
@@ -122,12 +96,13 @@ Aggregation Aggregate(const Rows& A)
   return result;
 }
 
-template <typename Rows>
+template <typename Matrix>
 SparseRows SmoothedProlongation(
-  const Rows& A, const Eigen::ArrayXf& smootherScale, const Aggregation& aggregation)
+  const Matrix& A, const ChebyshevSmoother& smoother, const Aggregation& aggregation)
 {
-  constexpr float damping = 4 / (3 * LargestEigenvalue);
+  constexpr float damping = 4 / (3 * ChebyshevSmoother::LargestEigenvalue);
   constexpr Index expectedEntries = 4;
+  const Eigen::ArrayXf& scale = smoother.GetScale();
   const std::vector<Index>& aggregateOf = aggregation.aggregateOf;
   return MakeSparseRows(A.Size(), aggregation.count, expectedEntries,
     [&](Index i, const auto& add)
@@ -141,7 +116,7 @@ SparseRows SmoothedProlongation(
         {
           if (aggregateOf[j] >= 0)
           {
-            add(aggregateOf[j], -damping * smootherScale[i] * static_cast<float>(value));
+            add(aggregateOf[j], -damping * scale[i] * static_cast<float>(value));
           }
         });
     });

@@ -43,6 +43,15 @@ private:
   const SparseRows& Matrix;
 };
 
+/// Entry i of the diagonal of a matrix that has ForEachEntry().
+template <typename Matrix>
+double DiagonalEntry(const Matrix& A, Index i)
+{
+  double diagonal = 0;
+  A.ForEachEntry(i, [&](Index j, double value) { diagonal = j == i ? value : diagonal; });
+  return diagonal;
+}
+
 /// A B on several threads; Eigen's own product has one.
 /// \param A a list of rows, with Size() and ForEachEntry()
 template <typename Rows>
