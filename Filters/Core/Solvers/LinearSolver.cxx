@@ -120,7 +120,7 @@ private:
   Solution IterateWithFactorisation(Index affordable, const Solution& start)
   {
     this->Monitor.Report(0);
-    if (this->Problem.laplacian.softEdgeWeights)
+    if (!this->Shifted || this->Problem.laplacian.softEdgeWeights)
     {
       this->Shifted =
         std::make_shared<const ShiftedStiffness>(this->Problem, this->A->GetStiffness());
