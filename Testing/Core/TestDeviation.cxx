@@ -134,14 +134,14 @@ void CheckSteps(Checks& c, const std::string& name, double growth)
   {
     for (const Index i : all)
     {
-      guard.Move(i, centre + (1 + step * growth) * (square.V.row(i) - centre));
+      guard.Propose(i, centre + (1 + step * growth) * (square.V.row(i) - centre));
     }
-    if (!guard.Check(all, 0, monitor).empty())
+    if (!guard.Judge(all, 0, DeviationGuard::ALL_FAILURES, monitor).empty())
     {
       break;
     }
-    guard.Admit();
-    const TestMesh moved{ guard.GetAdmitted(), square.T };
+    guard.Accept();
+    const TestMesh moved{ guard.GetAccepted(), square.T };
     reached = std::max(DistanceOneWay(square, moved), DistanceOneWay(moved, square));
     excess = Larger(excess, reached - guard.GetBound() - RoundOff);
   }

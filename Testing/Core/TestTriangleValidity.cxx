@@ -23,14 +23,14 @@ public:
   {
   }
 
-  /// \param admitted the positions before
-  MovedVertex(const TestMesh& mesh, const Points& admitted, Index vertex, const Vector3& position)
+  /// \param accepted the positions before
+  MovedVertex(const TestMesh& mesh, const Points& accepted, Index vertex, const Vector3& position)
     : T(mesh.T)
-    , Admitted(admitted)
-    , Candidate(admitted)
+    , Accepted(accepted)
+    , Candidate(accepted)
     , Topology(BuildTopology(Index(mesh.V.rows()), mesh.T))
     , Neighbours(FindTriangleNeighbours(this->T, this->Topology))
-    , Validity(this->Admitted, this->Candidate, this->T, this->Topology, this->Neighbours)
+    , Validity(this->Accepted, this->Candidate, this->T, this->Topology, this->Neighbours)
   {
     this->Candidate.row(vertex) = position;
     std::vector<Index> all(this->T.rows());
@@ -64,7 +64,7 @@ private:
   }
 
   const Triangles T;
-  const Points Admitted;
+  const Points Accepted;
   Points Candidate;
   const MeshTopology Topology;
   const Triangles Neighbours;
@@ -151,8 +151,9 @@ void CheckGuard(Checks& c)
   ProgressMonitor monitor;
   constexpr double distance = 10; // so that validity alone decides
   DeviationGuard guard(mesh.V, mesh.T, topology, distance, monitor);
-  guard.Move(0, { 0.95 * std::sqrt(3) / 2, 0.95 / 2, 0 });
-  c.True("the guard refuses a triangle that turns over", !guard.Check({ 0 }, 0, monitor).empty());
+  guard.Propose(0, { 0.95 * std::sqrt(3) / 2, 0.95 / 2, 0 });
+  c.True("the guard refuses a triangle that turns over",
+    !guard.Judge({ 0 }, 0, DeviationGuard::ALL_FAILURES, monitor).empty());
 }
 }
 

@@ -3,15 +3,18 @@
 #ifndef lmo_DeviationGuard_h
 #define lmo_DeviationGuard_h
 
-#include "Core/Deviation/DeviationCertificates.h"
+#include "Core/Deviation/DeviationBounds.h"
 #include "Core/Deviation/TriangleValidity.h"
 
 namespace lmo
 {
-/// Judges motions of a mesh's vertices: every point of the moved surface has to stay within a
+/// Judges displacements of a mesh's vertices: every point of the moved surface has to stay within a
 /// distance of the original one, and every point of the original one within it of the moved one;
-/// triangles must not turn bad, turn over or fold. Where the mesh that is admitted so far is beyond
-/// a limit already, it must not get worse.
+/// triangles must not turn bad, turn over or fold. Where the mesh accepted so far is beyond a limit
+/// already, it must not get worse.
+///
+/// Positions change in transactions: any number of vertices are proposed and judged, and proposed
+/// and judged again where that fails, until all of them are accepted or rolled back.
 class DeviationGuard
 {
 public:
@@ -23,6 +26,13 @@ public:
     std::vector<Index> others;
   };
 
+  /// What Judge() looks for.
+  enum Extent
+  {
+    ALL_FAILURES, ///< of many vertices
+    FIRST_FAILURE ///< of few vertices, the cheapest tests first
+  };
+
   /// Keeps references to the arguments.
   /// \param distance > 0
   /// \throw Cancelled if the monitor says so.
@@ -31,87 +41,71 @@ public:
   DeviationGuard(const DeviationGuard&) = delete;
   void operator=(const DeviationGuard&) = delete;
 
-  /// The positions admitted so far: those of the original mesh at first.
-  const Points& GetAdmitted() const { return this->Admitted; }
+  /// The positions accepted so far: those of the original mesh at first.
+  const Points& GetAccepted() const { return this->Mesh.accepted; }
 
-  /// t of the admitted triangles.
-  const Vector& GetAdmittedQuality() const { return this->Shapes.GetAdmittedQuality(); }
+  /// t of the accepted triangles.
+  const Vector& GetAcceptedQuality() const { return this->Shapes.GetAcceptedQuality(); }
 
   /// t of the triangles judged last.
   const Vector& GetQuality() const { return this->Shapes.GetQuality(); }
 
-  /// Heights of the original surface over an admitted triangle.
-  const HeightRange& GetHeights(Index t) const { return this->AdmittedHeights[t]; }
+  /// Heights of the original surface over an accepted triangle.
+  const HeightRange& GetHeights(Index t) const { return this->Bounds.GetHeights(t); }
 
-  /// Every point of one surface is within this distance of the other, for the positions admitted.
-  double GetBound() const;
+  /// Every point of one surface is within this distance of the other, for the positions accepted.
+  double GetBound() const { return this->Bounds.GetBound(); }
 
-  /// Sets a position to be judged; the vertex has to be named in the next Check().
-  void Move(Index vertex, const Vector3& position) { this->Candidate.row(vertex) = position; }
+  /// Proposes a position; the vertex has to be named in the next Judge().
+  void Propose(Index vertex, const Vector3& position)
+  {
+    this->Mesh.candidate.row(vertex) = position;
+  }
 
-  /// Judges the positions set.
-  /// \param vertices that have moved since the last call
+  /// Judges all that has been proposed since the last Accept() or RollBack().
+  /// \param vertices for which a position has been proposed since the last call
   /// \param leastQuality t below which that of a triangle must not fall
-  /// \return no failures if they may be admitted
-  /// \throw Cancelled if the monitor says so; what is admitted remains, and no more can be judged.
-  std::vector<Failure> Check(
-    const std::vector<Index>& vertices, double leastQuality, ProgressMonitor& monitor);
+  /// \return no failures if the proposal may be accepted
+  /// \throw Cancelled if the monitor says so; what is accepted remains, and no more can be judged.
+  std::vector<Failure> Judge(const std::vector<Index>& vertices, double leastQuality, Extent extent,
+    ProgressMonitor& monitor);
 
-  /// Admits the positions set, in which Check() found no failure.
-  void Admit();
+  /// Accepts the proposal, in which Judge() found no failure.
+  void Accept();
 
-  /// Goes back to the admitted positions.
-  void Reject();
-
-  /// Moves one vertex and admits that, if no limit is passed; a triangle's t may fall. Any
-  /// positions set before have to be admitted or rejected.
-  /// \return whether it is admitted
-  bool TryMove(Index vertex, const Vector3& position);
+  /// Goes back to the accepted positions.
+  void RollBack();
 
 private:
-  std::vector<Index> TrianglesAt(const std::vector<Index>& vertices) const;
-  SurfaceView OriginalView() const { return { this->Original, this->T, this->Neighbours }; }
-  SurfaceView CandidateView() const { return { this->Candidate, this->T, this->Neighbours }; }
+  /// The triangles at the vertices, each once.
+  std::vector<Index> TrianglesAt(const std::vector<Index>& vertices);
 
-  bool IsMoved(Index t) const;
+  /// Adds what is not in the list yet.
+  void AddOnce(const std::vector<Index>& more, std::vector<Index>& list);
 
-  /// Proves an original triangle by the certificate that is admitted, if the motion since then
-  /// leaves enough of the distance: a point of a triangle moves no farther than its corners.
-  /// \return whether it does
-  bool CarryToCandidate(Index t);
+  /// Original triangles that have to be judged again, since these triangles have changed.
+  std::vector<Index> FindDependent(const std::vector<Index>& triangles, Extent extent);
 
-  /// The same for a triangle of the candidate.
-  bool CarryToOriginal(Index t);
+  /// Triangles that have not moved, but are inverted since those around them have.
+  std::vector<Failure> FindInvertedBeside(const std::vector<Index>& vertices);
 
-  double MotionOf(Index t) const;
-
-  /// Moves the triangles of the list that are beyond a limit to the result.
-  template <typename IsBeyond>
-  static std::vector<Index> Split(
-    std::vector<Index>& list, ProgressMonitor& monitor, const IsBeyond& isBeyond);
-
-  /// The triangles of the list that are far from the original surface or turned against it.
+  /// Triangles that are far from the original surface or turned against it.
   std::vector<Index> FindAstray(const std::vector<Index>& list, ProgressMonitor& monitor);
 
-  void AdmitTriangle(Index t);
+  void EndTransaction();
 
-  const Points& Original;
-  const Triangles& T;
   const MeshTopology& Topology;
-  const double Distance;
   const Triangles Neighbours;
-  Points Admitted;
-  Points Candidate;
+  CandidateMesh Mesh;
   TriangleValidity Shapes;
-  std::vector<HeightRange> AdmittedHeights; ///< of the original surface
-  TriangleBvh OriginalTree;
-  TriangleBvh Tree;                  ///< of the candidate
-  DeviationCertificates ToOriginal;  ///< the candidate's triangles are close to the original mesh
-  DeviationCertificates ToCandidate; ///< and the other way round
-  DeviationCertificates ToAdmitted;  ///< the original triangles are close to the admitted mesh
-  std::vector<Index> Open;           ///< triangles of the candidate that failed in the last check
-  std::vector<Index> OpenOriginal;   ///< the same of the original mesh
-  DependentCertificates Dependents;  ///< those of ToAdmitted
+  DeviationBounds Bounds;
+
+  // Of the transaction:
+  IndexSet Proposed;               ///< triangles for whose vertices positions have been proposed
+  std::vector<Index> Open;         ///< triangles of the candidate that failed in the last call
+  std::vector<Index> OpenOriginal; ///< the same of the original mesh
+
+  IndexSet Listed; ///< helps to list triangles once; empty in between
 };
 }
 

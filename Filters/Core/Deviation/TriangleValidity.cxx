@@ -53,24 +53,24 @@ double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology&
 }
 }
 
-TriangleValidity::TriangleValidity(const Points& admitted, const Points& candidate,
+TriangleValidity::TriangleValidity(const Points& accepted, const Points& candidate,
   const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours)
-  : AdmittedPoints(admitted)
+  : AcceptedPoints(accepted)
   , CandidatePoints(candidate)
   , T(triangles)
   , Topology(topology)
   , Neighbours(neighbours)
-  , ReferenceNormals(SmoothedNormals(admitted, triangles, topology))
-  , AdmittedNormals(triangles.rows(), 3)
+  , ReferenceNormals(SmoothedNormals(accepted, triangles, topology))
+  , AcceptedNormals(triangles.rows(), 3)
   , Normals(triangles.rows(), 3)
-  , AdmittedQuality(triangles.rows())
+  , AcceptedQuality(triangles.rows())
   , Quality(triangles.rows())
-  , AdmittedCosine(triangles.rows())
+  , AcceptedCosine(triangles.rows())
 {
   std::vector<Index> all(triangles.rows());
   std::iota(all.begin(), all.end(), 0);
   this->Update(all);
-  ParallelFor(static_cast<Index>(triangles.rows()), [this](Index t) { this->Admit(t, t); });
+  ParallelFor(static_cast<Index>(triangles.rows()), [this](Index t) { this->Accept(t, t); });
 }
 
 void TriangleValidity::Update(const std::vector<Index>& triangles)
@@ -87,7 +87,7 @@ void TriangleValidity::Update(const std::vector<Index>& triangles)
 
 bool TriangleValidity::IsBad(Index t, double least) const
 {
-  return this->Quality[t] < std::min(least, this->AdmittedQuality[t]);
+  return this->Quality[t] < std::min(least, this->AcceptedQuality[t]);
 }
 
 bool TriangleValidity::IsFolded(Index t) const
@@ -98,7 +98,7 @@ bool TriangleValidity::IsFolded(Index t) const
     if (neighbour != NoNeighbour)
     {
       const double limit = std::min(
-        LeastCosineAtEdge, this->AdmittedNormals.row(t).dot(this->AdmittedNormals.row(neighbour)));
+        LeastCosineAtEdge, this->AcceptedNormals.row(t).dot(this->AcceptedNormals.row(neighbour)));
       if (this->Normals.row(t).dot(this->Normals.row(neighbour)) < limit)
       {
         return true;
@@ -131,25 +131,30 @@ bool TriangleValidity::IsInverted(Index t) const
     return false;
   }
   const double cosine = CosineToVertices(this->CandidatePoints, this->T, this->Topology, t);
-  return cosine < 0 && cosine < CosineToVertices(this->AdmittedPoints, this->T, this->Topology, t);
+  return cosine < 0 && cosine < CosineToVertices(this->AcceptedPoints, this->T, this->Topology, t);
 }
 
 bool TriangleValidity::IsTurned(Index t, Index below) const
 {
   return this->Normals.row(t).dot(this->ReferenceNormals.row(below)) <
-         std::min(LeastCosine, this->AdmittedCosine[t]);
+         std::min(LeastCosine, this->AcceptedCosine[t]);
 }
 
-void TriangleValidity::Admit(Index t, Index below)
+void TriangleValidity::Accept(Index t, Index below)
 {
-  this->AdmittedNormals.row(t) = this->Normals.row(t);
-  this->AdmittedQuality[t] = this->Quality[t];
-  this->AdmittedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
+  this->AcceptedNormals.row(t) = this->Normals.row(t);
+  this->AcceptedQuality[t] = this->Quality[t];
+  this->AcceptedCosine[t] = this->Normals.row(t).dot(this->ReferenceNormals.row(below));
 }
 
-void TriangleValidity::Reject()
+void TriangleValidity::RollBack(const std::vector<Index>& triangles)
 {
-  this->Normals = this->AdmittedNormals;
-  this->Quality = this->AdmittedQuality;
+  ParallelFor(static_cast<Index>(triangles.size()),
+    [&](Index k)
+    {
+      const Index t = triangles[k];
+      this->Normals.row(t) = this->AcceptedNormals.row(t);
+      this->Quality[t] = this->AcceptedQuality[t];
+    });
 }
 }

@@ -7,20 +7,20 @@
 
 namespace lmo
 {
-/// Judges the triangles of a candidate mesh against those of an admitted one: none may turn bad,
-/// turn over or fold. What is beyond a limit in the admitted mesh already must not get worse.
+/// Judges the triangles of a candidate mesh against those of an accepted one: none may turn bad,
+/// turn over or fold. What is beyond a limit in the accepted mesh already must not get worse.
 class TriangleValidity
 {
 public:
-  /// Keeps references to the arguments. The candidate is admitted at first.
-  /// \param admitted positions
+  /// Keeps references to the arguments. The candidate is accepted at first.
+  /// \param accepted positions
   /// \param candidate positions, equal at first
   /// \param neighbours what FindTriangleNeighbours() returned
-  TriangleValidity(const Points& admitted, const Points& candidate, const Triangles& triangles,
+  TriangleValidity(const Points& accepted, const Points& candidate, const Triangles& triangles,
     const MeshTopology& topology, const Triangles& neighbours);
 
-  /// t of the admitted triangles.
-  const Vector& GetAdmittedQuality() const { return this->AdmittedQuality; }
+  /// t of the accepted triangles.
+  const Vector& GetAcceptedQuality() const { return this->AcceptedQuality; }
 
   /// t of the candidate's triangles.
   const Vector& GetQuality() const { return this->Quality; }
@@ -41,28 +41,28 @@ public:
   /// \param below the original triangle under its centre
   bool IsTurned(Index t, Index below) const;
 
-  /// Admits one triangle of the candidate.
-  void Admit(Index t, Index below);
+  /// Accepts one triangle of the candidate.
+  void Accept(Index t, Index below);
 
-  /// Goes back to the admitted triangles.
-  void Reject();
+  /// Goes back to the accepted ones of these triangles.
+  void RollBack(const std::vector<Index>& triangles);
 
 private:
   /// True if the triangle faces the same side as all that meet it: it is not inverted then, since
   /// the vertex normals are sums of theirs.
   bool FacesAllAround(Index t) const;
 
-  const Points& AdmittedPoints;
+  const Points& AcceptedPoints;
   const Points& CandidatePoints;
   const Triangles& T;
   const MeshTopology& Topology;
   const Triangles& Neighbours;
   const Points ReferenceNormals; ///< unit normals of the original triangles, smoothed
-  Points AdmittedNormals;        ///< of the triangles
+  Points AcceptedNormals;        ///< of the triangles
   Points Normals;
-  Vector AdmittedQuality;
+  Vector AcceptedQuality;
   Vector Quality;
-  Vector AdmittedCosine; ///< of the angle to the reference normal
+  Vector AcceptedCosine; ///< of the angle to the reference normal
 };
 }
 

@@ -43,7 +43,7 @@ public:
     for (const Index t : this->WorstFirst(goal))
     {
       monitor.Report(0);
-      for (int k = 0; k < 3 && this->Guard.GetAdmittedQuality()[t] < goal; ++k)
+      for (int k = 0; k < 3 && this->Guard.GetAcceptedQuality()[t] < goal; ++k)
       {
         hasMoved |= this->Improve(this->T(t, k), goal);
       }
@@ -75,7 +75,7 @@ private:
 
   std::vector<Index> WorstFirst(double goal) const
   {
-    const Vector& quality = this->Guard.GetAdmittedQuality();
+    const Vector& quality = this->Guard.GetAcceptedQuality();
     std::vector<Index> worst;
     for (Index t = 0; t < static_cast<Index>(quality.size()); ++t)
     {
@@ -92,7 +92,7 @@ private:
   /// With the vertex at a position.
   Shape ShapeAt(Index vertex, const Vector3& position) const
   {
-    const Points& V = this->Guard.GetAdmitted();
+    const Points& V = this->Guard.GetAccepted();
     const AdjacencyLists& cornersAt = this->Topology.cornersAt;
     Shape shape;
     for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
@@ -107,7 +107,7 @@ private:
 
   double MeanEdgeLength(Index vertex) const
   {
-    const Points& V = this->Guard.GetAdmitted();
+    const Points& V = this->Guard.GetAccepted();
     const AdjacencyLists& rings = this->Topology.oneRings;
     double sum = 0;
     for (const Index* j = rings.Begin(vertex); j != rings.End(vertex); ++j)
@@ -125,7 +125,7 @@ private:
     {
       return { axis, -axis };
     }
-    const Vector3 normal = VertexNormal(this->Guard.GetAdmitted(), this->T, this->Topology, vertex);
+    const Vector3 normal = VertexNormal(this->Guard.GetAccepted(), this->T, this->Topology, vertex);
     if (normal.isZero(0))
     {
       return {};
@@ -144,7 +144,7 @@ private:
   /// The positions around the vertex that raise its minimum, best first.
   std::vector<Proposal> Propose(Index vertex, const Shape& before, double goal) const
   {
-    const Vector3 here = this->Guard.GetAdmitted().row(vertex);
+    const Vector3 here = this->Guard.GetAccepted().row(vertex);
     const double unit = this->MeanEdgeLength(vertex);
     std::vector<Proposal> proposals;
     for (const Vector3& direction : this->DirectionsOf(vertex))
@@ -165,6 +165,17 @@ private:
     return proposals;
   }
 
+  /// \return whether the guard accepts the position
+  bool TryMove(Index vertex, const Vector3& position)
+  {
+    ProgressMonitor unwatched;
+    this->Guard.Propose(vertex, position);
+    const bool isValid =
+      this->Guard.Judge({ vertex }, 0, DeviationGuard::FIRST_FAILURE, unwatched).empty();
+    isValid ? this->Guard.Accept() : this->Guard.RollBack();
+    return isValid;
+  }
+
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
@@ -174,20 +185,20 @@ private:
     }
     for (int move = 0; move < MostMoves; ++move)
     {
-      const Shape before = this->ShapeAt(vertex, this->Guard.GetAdmitted().row(vertex));
+      const Shape before = this->ShapeAt(vertex, this->Guard.GetAccepted().row(vertex));
       if (move > 0 && before.minimum >= goal)
       {
         return true;
       }
       const std::vector<Proposal> proposals = this->Propose(vertex, before, goal);
-      const auto admitted = std::find_if(proposals.begin(), proposals.end(),
-        [&](const Proposal& proposal) { return this->Guard.TryMove(vertex, proposal.position); });
-      if (admitted == proposals.end())
+      const auto accepted = std::find_if(proposals.begin(), proposals.end(),
+        [&](const Proposal& proposal) { return this->TryMove(vertex, proposal.position); });
+      if (accepted == proposals.end())
       {
         this->IsExhausted[vertex] = true;
         return move > 0;
       }
-      this->LossLeft += admitted->shape.sum - before.sum;
+      this->LossLeft += accepted->shape.sum - before.sum;
       const AdjacencyLists& rings = this->Topology.oneRings;
       std::for_each(
         rings.Begin(vertex), rings.End(vertex), [this](Index j) { this->IsExhausted[j] = false; });

@@ -19,6 +19,9 @@ constexpr Index LeavesPerTask = 1024;
 
 /// In terms of the radius. Where thousands of triangles meet, all are equally close.
 constexpr double NegligibleDistance = 1e-3;
+
+/// One in so many triangles may move before refitting all boxes is faster.
+constexpr std::size_t StaleShare = 32;
 }
 
 TriangleBvh::TriangleBvh(const Points& V, const Triangles& triangles, ProgressMonitor& monitor)
@@ -114,35 +117,48 @@ void TriangleBvh::Merge(Index node)
   this->Boxes[node] = children[0].merged(children[1]);
 }
 
-void TriangleBvh::Refit(const std::vector<Index>& triangles)
+void TriangleBvh::RefitPath(Index triangle)
 {
-  for (const Index t : triangles)
+  if (this->LeafOf[triangle] >= 0)
   {
-    if (this->LeafOf[t] >= 0)
+    Index node = this->Leaves + this->LeafOf[triangle];
+    this->Boxes[node] = this->LeafBox(this->LeafOf[triangle]);
+    for (node /= 2; node > 0; node /= 2)
     {
-      Index node = this->Leaves + this->LeafOf[t];
-      this->Boxes[node] = this->LeafBox(this->LeafOf[t]);
-      for (node /= 2; node > 0; node /= 2)
-      {
-        this->Merge(node);
-      }
+      this->Merge(node);
     }
+  }
+}
+
+void TriangleBvh::Invalidate(const std::vector<Index>& triangles)
+{
+  if (!this->AreAllStale)
+  {
+    this->Stale.insert(this->Stale.end(), triangles.begin(), triangles.end());
+    this->AreAllStale = this->Stale.size() > this->Order.size() / StaleShare;
   }
 }
 
 void TriangleBvh::Refit()
 {
-  if (this->IsCurrent)
+  if (this->AreAllStale)
   {
-    return;
+    ParallelFor(
+      this->Leaves, [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
+    for (Index level = this->Leaves / 2; level > 0; level /= 2)
+    {
+      ParallelFor(level, [&](Index k) { this->Merge(level + k); });
+    }
   }
-  this->IsCurrent = true;
-  ParallelFor(
-    this->Leaves, [this](Index leaf) { this->Boxes[this->Leaves + leaf] = this->LeafBox(leaf); });
-  for (Index level = this->Leaves / 2; level > 0; level /= 2)
+  else
   {
-    ParallelFor(level, [&](Index k) { this->Merge(level + k); });
+    for (const Index t : this->Stale)
+    {
+      this->RefitPath(t);
+    }
   }
+  this->AreAllStale = false;
+  this->Stale.clear();
 }
 
 double TriangleBvh::SquaredDistance(Index triangle, const Vector3& x) const

@@ -28,14 +28,11 @@ public:
   /// The same tree over vertices that may move on their own; keeps a reference to \a V.
   TriangleBvh(const Points& V, const TriangleBvh& other);
 
-  /// Says that vertices have moved: Refit() has to follow before the next query.
-  void Invalidate() { this->IsCurrent = false; }
+  /// Says which triangles have moved: Refit() has to follow before the next query.
+  void Invalidate(const std::vector<Index>& triangles);
 
   /// Adapts the boxes to the present positions.
   void Refit();
-
-  /// The same if only these triangles have moved.
-  void Refit(const std::vector<Index>& triangles);
 
   /// The triangle closest to x, if its distance is at most \a radius; any one whose distance is at
   /// most a thousandth of that.
@@ -64,6 +61,9 @@ private:
 
   Box LeafBox(Index leaf) const;
 
+  /// Adapts the boxes on the way from a triangle's leaf to the root.
+  void RefitPath(Index triangle);
+
   /// Sets the box of a node to that of its children's.
   void Merge(Index node);
 
@@ -74,9 +74,10 @@ private:
 
   const Points& V;
   const Triangles& T;
-  bool IsCurrent = false;
-  Index Leaves = 1;          ///< a power of two
-  std::vector<Index> Order;  ///< the triangles, those of a leaf side by side
+  bool AreAllStale = true;
+  std::vector<Index> Stale; ///< triangles that have moved since Refit(), if not all boxes are stale
+  Index Leaves = 1;         ///< a power of two
+  std::vector<Index> Order; ///< the triangles, those of a leaf side by side
   std::vector<Index> LeafOf; ///< leaf of each triangle, or -1
   std::vector<Box> Boxes;    ///< node k has the children 2 k and 2 k + 1; leaves start at Leaves
 };

@@ -73,7 +73,7 @@ private:
 
   void SetPositionWeights()
   {
-    lmo::SetPositionWeights(this->Mesh, this->Cumulative, this->Guard.GetAdmittedQuality(),
+    lmo::SetPositionWeights(this->Mesh, this->Cumulative, this->Guard.GetAcceptedQuality(),
       this->Adaption, this->Problem);
   }
 
@@ -110,7 +110,7 @@ private:
 
 Solution Passes::Propose(ProgressMonitor& monitor)
 {
-  SetTargets(this->Mesh, this->Features, this->Guard.GetAdmitted(), this->Problem);
+  SetTargets(this->Mesh, this->Features, this->Guard.GetAccepted(), this->Problem);
   this->SetPositionWeights();
   SolverOptions solver = this->Options.solver;
   solver.tolerance = SolverTolerance;
@@ -204,11 +204,12 @@ bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& 
       [&](Index k)
       {
         const Index i = moving[k];
-        const Vector3 start = this->Guard.GetAdmitted().row(i);
+        const Vector3 start = this->Guard.GetAccepted().row(i);
         const double share = this->Share[i];
-        this->Guard.Move(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
+        this->Guard.Propose(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
       });
-    const auto failures = this->Guard.Check(moving, leastQuality, monitor);
+    const auto failures =
+      this->Guard.Judge(moving, leastQuality, DeviationGuard::ALL_FAILURES, monitor);
     if (failures.empty())
     {
       break;
@@ -216,16 +217,16 @@ bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& 
     moving = this->TakeBack(failures);
     if (moving.empty())
     {
-      this->Guard.Reject();
+      this->Guard.RollBack();
       return false;
     }
   }
-  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAdmittedQuality()))
+  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAcceptedQuality()))
   {
-    this->Guard.Reject(); // the weights that have grown make the next proposal another one
+    this->Guard.RollBack(); // the weights that have grown make the next proposal another one
     return true;
   }
-  this->Guard.Admit();
+  this->Guard.Accept();
   ParallelFor(
     this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
   return true;
@@ -253,7 +254,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
       const Solution solution = this->Propose(part);
       result.iterations += solution.iterations;
       result.relativeResidual = solution.relativeResidual;
-      const double before = MeanOf(this->Guard.GetAdmittedQuality());
+      const double before = MeanOf(this->Guard.GetAcceptedQuality());
       if (!this->Settle(
             solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
       {
@@ -261,7 +262,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
       }
       ++result.deviation.passes;
       result.deviation.rolledBack = this->CountRolledBack();
-      const double after = MeanOf(this->Guard.GetAdmittedQuality());
+      const double after = MeanOf(this->Guard.GetAcceptedQuality());
       if (pass > 1 && after > before && after < before + SmallestGain)
       {
         break;
@@ -278,7 +279,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
   {
     result.isCancelled = true;
   }
-  result.positions = this->Guard.GetAdmitted();
+  result.positions = this->Guard.GetAccepted();
   const double diagonal = this->Mesh.GetDiagonal();
   const double bound = this->Guard.GetBound();
   result.deviation.relativeBound =
