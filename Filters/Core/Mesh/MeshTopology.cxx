@@ -147,6 +147,50 @@ void Place(const std::vector<RangeOfLists>& ranges, std::vector<Index> RangeOfLi
     }
   }
 }
+
+/// Sets the edges of a mesh whose cells are its triangles, and sorts the corners of fans.
+void FindTriangleEdges(const Triangles& triangles, MeshTopology& topology)
+{
+  const Index vertices = topology.vertices;
+  topology.oneRings.offsets.assign(vertices + 1, 0);
+  topology.boundaryEdges.offsets.assign(vertices + 1, 0);
+  std::vector<RangeOfLists> ranges(vertices / ParallelBlock + 1);
+  ParallelRanges(vertices,
+    [&](Index begin, Index end)
+    {
+      RangeOfLists& range = ranges[begin / ParallelBlock];
+      range.neighbours.reserve(7 * std::size_t(end - begin));
+      RingCollector ring;
+      for (Index i = begin; i < end; ++i)
+      {
+        ring.Collect(topology.cornersAt.ids.data() + topology.cornersAt.offsets[i],
+          topology.cornersAt.Size(i), triangles);
+        topology.isFan[i] = ring.GetIsFan();
+        const std::vector<Index>& neighbours = ring.GetNeighbours();
+        const std::vector<Index>& boundary = ring.GetBoundary();
+        range.neighbours.insert(range.neighbours.end(), neighbours.begin(), neighbours.end());
+        range.boundary.insert(range.boundary.end(), boundary.begin(), boundary.end());
+        topology.oneRings.offsets[i + 1] = static_cast<Index>(neighbours.size());
+        topology.boundaryEdges.offsets[i + 1] = static_cast<Index>(boundary.size());
+        topology.isUsed[i] = !neighbours.empty();
+        topology.isBoundary[i] = !boundary.empty();
+      }
+    });
+  Place(ranges, &RangeOfLists::neighbours, topology.oneRings);
+  Place(ranges, &RangeOfLists::boundary, topology.boundaryEdges);
+}
+
+void FindPolygonEdges(const Triangles& triangles, MeshTopology& topology)
+{
+  PolygonEdges edges = EdgesOfPolygons(topology.vertices, topology.polygons, triangles);
+  topology.oneRings = std::move(edges.neighbours);
+  topology.boundaryEdges = std::move(edges.boundary);
+  for (Index i = 0; i < topology.vertices; ++i)
+  {
+    topology.isUsed[i] = topology.cornersAt.Size(i) > 0;
+    topology.isBoundary[i] = topology.boundaryEdges.Size(i) > 0;
+  }
+}
 }
 
 AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles)
@@ -185,7 +229,7 @@ bool MeshTopology::IsClosed() const
   return !this->cornersAt.ids.empty() && this->boundaryEdges.ids.empty();
 }
 
-MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
+MeshTopology BuildTopology(Index vertices, const Triangles& triangles, Polygons polygons)
 {
   if (triangles.rows() > std::numeric_limits<Index>::max() / 6)
   {
@@ -195,37 +239,19 @@ MeshTopology BuildTopology(Index vertices, const Triangles& triangles)
   }
   MeshTopology topology;
   topology.vertices = vertices;
+  topology.polygons = std::move(polygons);
   topology.cornersAt = CornersAtVertices(vertices, triangles);
   topology.isBoundary.assign(vertices, 0);
   topology.isUsed.assign(vertices, 0);
   topology.isFan.assign(vertices, 0);
-  topology.oneRings.offsets.assign(vertices + 1, 0);
-  topology.boundaryEdges.offsets.assign(vertices + 1, 0);
-
-  std::vector<RangeOfLists> ranges(vertices / ParallelBlock + 1);
-  ParallelRanges(vertices,
-    [&](Index begin, Index end)
-    {
-      RangeOfLists& range = ranges[begin / ParallelBlock];
-      range.neighbours.reserve(7 * std::size_t(end - begin));
-      RingCollector ring;
-      for (Index i = begin; i < end; ++i)
-      {
-        ring.Collect(topology.cornersAt.ids.data() + topology.cornersAt.offsets[i],
-          topology.cornersAt.Size(i), triangles);
-        topology.isFan[i] = ring.GetIsFan();
-        const std::vector<Index>& neighbours = ring.GetNeighbours();
-        const std::vector<Index>& boundary = ring.GetBoundary();
-        range.neighbours.insert(range.neighbours.end(), neighbours.begin(), neighbours.end());
-        range.boundary.insert(range.boundary.end(), boundary.begin(), boundary.end());
-        topology.oneRings.offsets[i + 1] = static_cast<Index>(neighbours.size());
-        topology.boundaryEdges.offsets[i + 1] = static_cast<Index>(boundary.size());
-        topology.isUsed[i] = !neighbours.empty();
-        topology.isBoundary[i] = !boundary.empty();
-      }
-    });
-  Place(ranges, &RangeOfLists::neighbours, topology.oneRings);
-  Place(ranges, &RangeOfLists::boundary, topology.boundaryEdges);
+  if (topology.polygons.IsEmpty())
+  {
+    FindTriangleEdges(triangles, topology);
+  }
+  else
+  {
+    FindPolygonEdges(triangles, topology);
+  }
   return topology;
 }
 

@@ -3,7 +3,7 @@
 #ifndef lmo_MeshTopology_h
 #define lmo_MeshTopology_h
 
-#include "Core/Mesh/AdjacencyLists.h"
+#include "Core/Mesh/Polygons.h"
 
 namespace lmo
 {
@@ -11,15 +11,18 @@ namespace lmo
 constexpr Index LargestStar = 100;
 
 /// Who is whose neighbour. A triangle that names a vertex twice has no edges and counts nowhere.
+/// Edges, and with them the boundary, are those of the polygons if there are any: diagonals along
+/// which these are cut are none.
 struct MeshTopology
 {
   Index vertices = 0;
+  Polygons polygons;        ///< empty if the triangles are the cells
   AdjacencyLists cornersAt; ///< corners at each vertex; corner k of triangle t is 3 t + k
   AdjacencyLists oneRings;  ///< vertices that share an edge with each vertex
   Mask isFan; ///< corner k at the vertex lies between the neighbours k and k + 1, the first again
               ///< after the last; at other vertices both lists ascend
-  AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one triangle with each
-  Mask isBoundary;              ///< vertex lies on an edge of exactly one triangle
+  AdjacencyLists boundaryEdges; ///< vertices that share an edge of exactly one cell with each
+  Mask isBoundary;              ///< vertex lies on an edge of exactly one cell
   Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere
 
   bool IsHub(Index i) const { return this->cornersAt.Size(i) > LargestStar; }
@@ -49,8 +52,10 @@ inline bool IsCollapsed(const Triangles& triangles, Index t)
 AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles);
 
 /// \param vertices number of vertices; every id in \a triangles is below it.
+/// \param polygons to which the triangles belong; empty if the triangles are the cells
 /// \throw InputError if the mesh has more corners than Index can count.
-MeshTopology BuildTopology(Index vertices, const Triangles& triangles);
+MeshTopology BuildTopology(
+  Index vertices, const Triangles& triangles, Polygons polygons = Polygons());
 
 /// Connected component of each vertex, 0, 1, ... in the order of their first vertices; an isolated
 /// vertex is a component of its own.

@@ -22,6 +22,12 @@ struct CornerEdges
     , previous(V.row(triangles.data()[PreviousCorner(corner)]) - V.row(triangles.data()[corner]))
   {
   }
+
+  CornerEdges(const TriangleCorners& corners, int k)
+    : next(corners.row((k + 1) % 3) - corners.row(k))
+    , previous(corners.row((k + 2) % 3) - corners.row(k))
+  {
+  }
 };
 
 /// Sum over the corners at vertex i of value(corner).
@@ -37,19 +43,22 @@ auto SumOverCorners(const MeshTopology& topology, Index i, const Value& value)
 }
 
 /// Share of a corner's triangle in the mixed Voronoi area of its vertex.
-double MixedVoronoiShare(
-  const Points& V, const Triangles& triangles, const CornerValues& cotangents, Index corner)
+/// \param edges that leave the corner
+/// \param here cotangent at the corner
+/// \param next, previous cotangents at the corners where \a edges end
+double MixedVoronoiShare(const CornerEdges& edges, double here, double next, double previous)
 {
-  const CornerEdges edges(V, triangles, corner);
-  const double here = cotangents.data()[corner];
-  const double next = cotangents.data()[NextCorner(corner)];
-  const double previous = cotangents.data()[PreviousCorner(corner)];
   if (std::min({ here, next, previous }) < 0)
   {
     const double area = 0.5 * edges.next.cross(edges.previous).norm();
     return here < 0 ? area / 2 : area / 4;
   }
   return (edges.next.squaredNorm() * previous + edges.previous.squaredNorm() * next) / 8;
+}
+
+double Angle(const CornerEdges& edges)
+{
+  return std::atan2(edges.next.cross(edges.previous).norm(), edges.next.dot(edges.previous));
 }
 }
 
@@ -108,20 +117,39 @@ Vector3 ClosestPointOnTriangle(
   return a + (weightOfB * ab + weightOfC * ac) / (weightOfA + weightOfB + weightOfC);
 }
 
+Vector3 TriangleCotangents(const TriangleCorners& corners)
+{
+  const Vector3 ab = corners.row(1) - corners.row(0);
+  const Vector3 bc = corners.row(2) - corners.row(1);
+  const Vector3 ca = corners.row(0) - corners.row(2);
+  const double sine = ab.cross(ca).norm();
+  const Vector3 cosines(-ab.dot(ca), -bc.dot(ab), -ca.dot(bc));
+  const double scale = sine > 0 ? 1 / sine : 0;
+  return (cosines * scale).cwiseMax(-MaximumCotangent).cwiseMin(MaximumCotangent);
+}
+
+Vector3 MixedVoronoiShares(const TriangleCorners& corners, const Vector3& cotangents)
+{
+  Vector3 shares;
+  for (int k = 0; k < 3; ++k)
+  {
+    shares[k] = MixedVoronoiShare(
+      CornerEdges(corners, k), cotangents[k], cotangents[(k + 1) % 3], cotangents[(k + 2) % 3]);
+  }
+  return shares;
+}
+
+Vector3 TriangleAngles(const TriangleCorners& corners)
+{
+  return { Angle(CornerEdges(corners, 0)), Angle(CornerEdges(corners, 1)),
+    Angle(CornerEdges(corners, 2)) };
+}
+
 CornerValues Cotangents(const Points& V, const Triangles& triangles)
 {
   CornerValues cotangents(triangles.rows(), 3);
   ParallelFor(static_cast<Index>(triangles.rows()),
-    [&](Index t)
-    {
-      const Vector3 ab = V.row(triangles(t, 1)) - V.row(triangles(t, 0));
-      const Vector3 bc = V.row(triangles(t, 2)) - V.row(triangles(t, 1));
-      const Vector3 ca = V.row(triangles(t, 0)) - V.row(triangles(t, 2));
-      const double sine = ab.cross(ca).norm();
-      const Vector3 cosines(-ab.dot(ca), -bc.dot(ab), -ca.dot(bc));
-      const double scale = sine > 0 ? 1 / sine : 0;
-      cotangents.row(t) = (cosines * scale).cwiseMax(-MaximumCotangent).cwiseMin(MaximumCotangent);
-    });
+    [&](Index t) { cotangents.row(t) = TriangleCotangents(CornersOf(V, triangles, t)); });
   return cotangents;
 }
 
@@ -133,7 +161,11 @@ Vector MixedVoronoiAreas(const Points& V, const Triangles& triangles, const Mesh
     [&](Index i)
     {
       areas[i] = SumOverCorners(topology, i,
-        [&](Index corner) { return MixedVoronoiShare(V, triangles, cotangents, corner); });
+        [&](Index corner)
+        {
+          return MixedVoronoiShare(CornerEdges(V, triangles, corner), cotangents.data()[corner],
+            cotangents.data()[NextCorner(corner)], cotangents.data()[PreviousCorner(corner)]);
+        });
     });
   return areas;
 }
@@ -144,13 +176,8 @@ Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopol
   ParallelFor(topology.vertices,
     [&](Index i)
     {
-      const double angles = SumOverCorners(topology, i,
-        [&](Index c)
-        {
-          const CornerEdges edges(V, triangles, c);
-          return std::atan2(
-            edges.next.cross(edges.previous).norm(), edges.next.dot(edges.previous));
-        });
+      const double angles = SumOverCorners(
+        topology, i, [&](Index corner) { return Angle(CornerEdges(V, triangles, corner)); });
       defects[i] = topology.isUsed[i] ? 2 * Pi - angles : 0;
     });
   return defects;
@@ -160,10 +187,18 @@ Vector3 VertexNormal(
   const Points& V, const Triangles& triangles, const MeshTopology& topology, Index i)
 {
   Vector3 sum = Vector3::Zero();
-  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  if (topology.polygons.IsEmpty())
   {
-    const CornerEdges edges(V, triangles, *c);
-    sum += edges.next.cross(edges.previous);
+    for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+    {
+      const CornerEdges edges(V, triangles, *c);
+      sum += edges.next.cross(edges.previous);
+    }
+  }
+  else
+  {
+    ForEachTriangleOfCellsAt(topology.cornersAt, topology.polygons, i,
+      [&](Index t) { sum += ScaledNormal(V, triangles, t); });
   }
   const double length = sum.norm();
   return length > 0 ? Vector3(sum / length) : Vector3(Vector3::Zero());

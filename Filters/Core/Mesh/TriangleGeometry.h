@@ -31,6 +31,15 @@ Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t);
 Vector3 ClosestPointOnTriangle(
   const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
+/// Cotangents of one triangle, as Cotangents() gives them.
+Vector3 TriangleCotangents(const TriangleCorners& corners);
+
+/// Shares of its corners in the area of one triangle, as MixedVoronoiAreas() sums them.
+Vector3 MixedVoronoiShares(const TriangleCorners& corners, const Vector3& cotangents);
+
+/// Angles at the corners, in radians.
+Vector3 TriangleAngles(const TriangleCorners& corners);
+
 /// Cotangent of the angle at each corner (Fig. 4): positive below a right angle, negative above,
 /// at most MaximumCotangent in magnitude; 0 at the corners of a triangle without area.
 CornerValues Cotangents(const Points& V, const Triangles& triangles);
@@ -47,7 +56,8 @@ Vector AngleDefects(const Points& V, const Triangles& triangles, const MeshTopol
 Vector3 VertexNormal(
   const Points& V, const Triangles& triangles, const MeshTopology& topology, Index i);
 
-/// Unit mean of the normals of the triangles at each vertex, weighted by area; 0 where undefined.
+/// Unit mean of the normals of the cells at each vertex, weighted by area; 0 where undefined. It
+/// does not depend on the diagonals along which polygons are cut.
 Points VertexNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
 /// Signed volume of the tetrahedron between a point and triangle t. The sum over a closed surface

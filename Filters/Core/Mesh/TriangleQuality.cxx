@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace lmo
@@ -42,6 +43,61 @@ Vector RadiusRatios(const Points& V, const Triangles& triangles)
         RadiusRatio(V.row(triangles(t, 0)), V.row(triangles(t, 1)), V.row(triangles(t, 2)));
     });
   return ratios;
+}
+
+double CornerShape(const Vector3& a, const Vector3& b)
+{
+  const double la = a.norm();
+  const double lb = b.norm();
+  if (!(std::min(la, lb) > 0))
+  {
+    return 0;
+  }
+  // By unit vectors, so that no power under- or overflows.
+  return 2 * (a / la).cross(b / lb).norm() / (la / lb + lb / la);
+}
+
+double SineOfRegularPolygon(Index corners)
+{
+  constexpr double turn = 6.283185307179586;
+  return corners == 4 ? 1 : std::sin(turn / corners);
+}
+
+double PolygonQuality(const Points& V, const Polygons& polygons, Index p)
+{
+  const Index* corners = polygons.corners.Begin(p);
+  return CellQuality(
+    polygons.corners.Size(p), [&](Index k) -> Vector3 { return V.row(corners[k]); });
+}
+
+Index CountReflexCorners(const Points& V, const Polygons& polygons, Index p)
+{
+  const Index size = polygons.corners.Size(p);
+  const Index* corners = polygons.corners.Begin(p);
+  const auto edgeTo = [&](Index from, Index to) -> Vector3
+  { return V.row(corners[to % size]) - V.row(corners[from % size]); };
+  Vector3 normal = Vector3::Zero();
+  for (Index k = 1; k + 1 < size; ++k)
+  {
+    normal += edgeTo(0, k).cross(edgeTo(0, k + 1));
+  }
+  Index count = 0;
+  for (Index k = 0; k < size; ++k)
+  {
+    count += edgeTo(k, k + 1).cross(edgeTo(k + 1, k + 2)).dot(normal) < 0;
+  }
+  return count;
+}
+
+Vector CellQualities(const Points& V, const Triangles& triangles, const Polygons& polygons)
+{
+  if (polygons.IsEmpty())
+  {
+    return RadiusRatios(V, triangles);
+  }
+  Vector qualities(polygons.Size());
+  ParallelFor(polygons.Size(), [&](Index p) { qualities[p] = PolygonQuality(V, polygons, p); });
+  return qualities;
 }
 
 Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices)

@@ -3,7 +3,10 @@
 #ifndef lmo_TriangleQuality_h
 #define lmo_TriangleQuality_h
 
+#include "Core/Mesh/Polygons.h"
 #include "Core/Mesh/Subdomain.h"
+
+#include <algorithm>
 
 namespace lmo
 {
@@ -17,6 +20,47 @@ double RadiusRatio(const Vector3& a, const Vector3& b, const Vector3& c);
 /// Eqn. 12 for each triangle.
 Vector RadiusRatios(const Points& V, const Triangles& triangles);
 
+/// 2 |a x b| / (|a|^2 + |b|^2) for the edges a and b of a corner: the sine of its angle where both
+/// have the same length, and less otherwise; 0 if an edge has no length.
+double CornerShape(const Vector3& a, const Vector3& b);
+
+/// Sine of the angles of a regular polygon.
+double SineOfRegularPolygon(Index corners);
+
+/// Quality of a cell: Eqn. 12 for a triangle; for a larger polygon the minimum over its corners of
+/// CornerShape(), divided by that of the regular polygon and clipped to 1. 1 for a regular polygon,
+/// 0 for a degenerate one; independent of the size. For convex quads in a plane it is the metric
+/// Shape of the Verdict library.
+/// \param pointAt returns the position of corner 0 to \a corners - 1
+template <typename PointAt>
+double CellQuality(Index corners, const PointAt& pointAt)
+{
+  if (corners == 3)
+  {
+    return RadiusRatio(pointAt(0), pointAt(1), pointAt(2));
+  }
+  double least = SineOfRegularPolygon(corners);
+  const double regular = least;
+  Vector3 previous = pointAt(corners - 1);
+  Vector3 here = pointAt(0);
+  for (Index k = 0; k < corners; ++k)
+  {
+    const Vector3 next = pointAt(k + 1 < corners ? k + 1 : 0);
+    least = std::min(least, CornerShape(previous - here, next - here));
+    previous = here;
+    here = next;
+  }
+  return least / regular;
+}
+
+/// CellQuality() of polygon p.
+double PolygonQuality(const Points& V, const Polygons& polygons, Index p);
+
+/// Number of corners that are turned inwards, seen along the normal of the polygon's area.
+Index CountReflexCorners(const Points& V, const Polygons& polygons, Index p);
+
+/// CellQuality() of each cell: of the polygons, or of the triangles if there are none.
+Vector CellQualities(const Points& V, const Triangles& triangles, const Polygons& polygons);
 /// Minimum over the triangles at each vertex, W_t of section 5.2; UndefinedQuality at vertices that
 /// no triangle uses.
 Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices);
