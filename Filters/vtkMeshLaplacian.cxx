@@ -5,6 +5,7 @@
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Operators/Curvature.h"
+#include "Core/Operators/PolygonLaplacian.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
@@ -24,6 +25,13 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
+lmo::Vector AngleDefects(const lmo::MeshQuantities& mesh)
+{
+  return mesh.GetPolygons().IsEmpty()
+           ? lmo::AngleDefects(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology())
+           : lmo::PolygonAngleDefects(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetPolygons());
+}
+
 void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNumbering& numbering,
   vtkPointData* pointData)
 {
@@ -41,8 +49,7 @@ void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNu
   add("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT));
   add("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals());
   add("MeanCurvature", quantities.GetMeanCurvatures());
-  add("GaussianCurvature",
-    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology));
+  add("GaussianCurvature", lmo::GaussianCurvatures(AngleDefects(mesh), areas, topology));
   add("VoronoiArea", areas);
 }
 }
@@ -56,7 +63,8 @@ int vtkMeshLaplacian::RequestData(
     [&]
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
-      const lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
+      const lmo::MeshQuantities mesh(
+        std::move(surface.points), std::move(surface.triangles), std::move(surface.polygons));
       output->ShallowCopy(input);
       AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), surface.numbering,
         output->GetPointData());

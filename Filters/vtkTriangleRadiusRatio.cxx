@@ -29,7 +29,8 @@ int vtkTriangleRadiusRatio::RequestData(
     [&]
     {
       const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
-      const lmo::MeshQuality quality = lmo::MeasureQuality(mesh.points, mesh.triangles);
+      const lmo::MeshQuality quality =
+        lmo::MeasureQuality(mesh.points, mesh.triangles, mesh.polygons);
       this->MeanRadiusRatio = quality.mean;
       this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);

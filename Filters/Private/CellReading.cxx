@@ -122,6 +122,33 @@ void Append(const CellTriangles& more, vtkIdType firstCell, SurfaceTriangles& me
   mesh.triangles.conservativeResize(count + more.triangles.rows(), 3);
   mesh.triangles.bottomRows(more.triangles.rows()) = more.triangles;
 }
+
+/// The polygons, and the triangles that follow those of the polygons, as cells.
+Polygons ReadPolygons(vtkCellArray* polygons, const Triangles& triangles)
+{
+  AdjacencyLists corners;
+  corners.offsets.reserve(polygons->GetNumberOfCells() + 1);
+  corners.offsets.push_back(0);
+  corners.ids.reserve(polygons->GetNumberOfConnectivityIds());
+  const auto endCell = [&] { corners.offsets.push_back(static_cast<Index>(corners.ids.size())); };
+  vtkIdType size = 0;
+  const vtkIdType* ids = nullptr;
+  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  {
+    polygons->GetCellAtId(cell, size, ids);
+    std::transform(ids, ids + size, std::back_inserter(corners.ids),
+      [](vtkIdType id) { return static_cast<Index>(id); });
+    endCell();
+  }
+  const vtkIdType ofPolygons =
+    polygons->GetNumberOfConnectivityIds() - 2 * polygons->GetNumberOfCells();
+  for (auto t = static_cast<Eigen::Index>(ofPolygons); t < triangles.rows(); ++t)
+  {
+    corners.ids.insert(corners.ids.end(), triangles.row(t).begin(), triangles.row(t).end());
+    endCell();
+  }
+  return Polygons(std::move(corners));
+}
 }
 
 SurfaceTriangles ReadTriangles(vtkPolyData* input)
@@ -147,6 +174,10 @@ SurfaceTriangles ReadTriangles(vtkPolyData* input)
   {
     CheckCells(input->GetStrips(), firstStrip, 0, points);
     Append(TriangulateStrips(input->GetStrips()), firstStrip, mesh);
+  }
+  if (polygons->GetNumberOfConnectivityIds() > 3 * polygons->GetNumberOfCells())
+  {
+    mesh.polygons = ReadPolygons(polygons, mesh.triangles);
   }
   return mesh;
 }

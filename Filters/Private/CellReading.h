@@ -13,6 +13,8 @@ namespace lmo
 struct SurfaceTriangles
 {
   Triangles triangles;
+  Polygons
+    polygons; ///< to which the triangles belong; empty if there are only triangles and strips
   TriangleCells triangleCells;
 };
 

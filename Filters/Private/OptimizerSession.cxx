@@ -61,7 +61,8 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
     lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
     lmo::RenumberIfScattered(mesh);
     this->SetOptimizer(input, std::move(mesh.numbering),
-      std::make_unique<lmo::Optimizer>(std::move(mesh.points), std::move(mesh.triangles)));
+      std::make_unique<lmo::Optimizer>(
+        std::move(mesh.points), std::move(mesh.triangles), std::move(mesh.polygons)));
   }
 }
 

@@ -147,6 +147,7 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
 
   SurfaceTriangles cells = ReadTriangles(input);
   mesh.triangles = std::move(cells.triangles);
+  mesh.polygons = std::move(cells.polygons);
   mesh.numbering =
     MeshNumbering(input->GetNumberOfPoints(), static_cast<Index>(mesh.triangles.rows()),
       input->GetNumberOfCells(), std::move(cells.triangleCells));
@@ -158,9 +159,10 @@ void RenumberIfScattered(SurfaceMesh& mesh)
   if (IsScattered(mesh.triangles))
   {
     const auto vertices = static_cast<Index>(mesh.points.rows());
-    const MeshOrder order = BreadthFirstOrder(vertices, mesh.triangles);
+    const MeshOrder order = BreadthFirstOrder(vertices, mesh.triangles, mesh.polygons);
     mesh.points = ToNewOrder(order.vertices, std::move(mesh.points));
     mesh.triangles = Renumber(order, mesh.triangles);
+    mesh.polygons = Renumber(order, mesh.polygons);
     mesh.numbering.Renumber(order);
   }
 }

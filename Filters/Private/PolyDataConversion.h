@@ -15,6 +15,7 @@ struct SurfaceMesh
 {
   Points points;
   Triangles triangles;
+  Polygons polygons; ///< to which the triangles belong; empty if the triangles are the cells
   MeshNumbering numbering;
 };
 

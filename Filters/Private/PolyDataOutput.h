@@ -30,7 +30,8 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(
 /// Array of one value, as field data hold it.
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 
-/// Adds the radius ratios of the triangles to the cell data and of the vertices to the point data.
+/// Adds the qualities of the cells to the cell data, of a strip the least of its triangles, and
+/// those of the vertices to the point data.
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
   vtkPolyData* output);
 

@@ -15,20 +15,20 @@ using namespace lmo;
 
 namespace
 {
-PolygonWeights WeightsOf(const PolygonMesh& mesh)
+CotangentParts WeightsOf(const PolygonMesh& mesh)
 {
   return ComputePolygonWeights(mesh.V, mesh.T, mesh.polygons);
 }
 
 Laplacian CotangentOf(const PolygonMesh& mesh)
 {
-  const PolygonWeights weights = WeightsOf(mesh);
+  const CotangentParts weights = WeightsOf(mesh);
   return CotangentLaplacian(weights.rings, weights.edgeWeights);
 }
 
 Laplacian MeanCurvatureOf(const PolygonMesh& mesh)
 {
-  const PolygonWeights weights = WeightsOf(mesh);
+  const CotangentParts weights = WeightsOf(mesh);
   return MeanCurvatureLaplacian(weights.rings, weights.edgeWeights, weights.voronoiAreas);
 }
 

@@ -20,7 +20,7 @@ struct RobustOperators
 {
   explicit RobustOperators(const TestMesh& mesh)
   {
-    const RobustWeights weights = ComputeRobustWeights(mesh.V, mesh.T);
+    const CotangentParts weights = ComputeRobustWeights(mesh.V, mesh.T);
     this->areas = weights.voronoiAreas;
     this->cotangent = CotangentLaplacian(weights.rings, weights.edgeWeights);
     this->meanCurvature = MeanCurvatureLaplacian(weights.rings, weights.edgeWeights, this->areas);

@@ -61,13 +61,13 @@ double CountFlippedTriangles(
 }
 
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality,
+  const Triangles& triangles, const Polygons& polygons, std::shared_ptr<const MeshQuality> quality,
   const Eigen::AlignedBox3d& box, bool isClosed, const Subdomain& subdomain)
 {
   const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
   SurfaceComparison comparison;
   comparison.before = std::move(quality);
-  comparison.after = MeasureQuality(after, triangles, subdomain);
+  comparison.after = MeasureQuality(after, triangles, polygons, subdomain);
   comparison.maximumDisplacement = LargestDisplacement(before, after, subdomain);
   comparison.relativeMaximumDisplacement =
     diagonal > 0 ? comparison.maximumDisplacement / diagonal : 0;

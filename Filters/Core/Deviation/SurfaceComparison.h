@@ -22,11 +22,12 @@ struct SurfaceComparison
   std::int64_t flippedTriangles = 0;      ///< normal turned by more than a right angle
 };
 
+/// \param polygons to which the triangles belong; empty if the triangles are the cells
 /// \param quality of \a before
 /// \param box of \a before
 /// \param isClosed the whole surface, of which this may be a part
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, std::shared_ptr<const MeshQuality> quality,
+  const Triangles& triangles, const Polygons& polygons, std::shared_ptr<const MeshQuality> quality,
   const Eigen::AlignedBox3d& box, bool isClosed, const Subdomain& subdomain);
 }
 

@@ -29,6 +29,12 @@ struct Polygons
 
   /// The triangles of polygon p are those from this one up to the first of polygon p + 1.
   Index FirstTriangle(Index p) const { return this->corners.offsets[p] - 2 * p; }
+
+  /// True for one triangle of each cell.
+  bool IsFirstTriangle(Index t) const
+  {
+    return this->IsEmpty() || t == this->FirstTriangle(this->ofTriangle[t]);
+  }
 };
 
 /// The edges of polygons, without the diagonals along which they are cut.

@@ -95,8 +95,14 @@ Vector CellQualities(const Points& V, const Triangles& triangles, const Polygons
   {
     return RadiusRatios(V, triangles);
   }
-  Vector qualities(polygons.Size());
-  ParallelFor(polygons.Size(), [&](Index p) { qualities[p] = PolygonQuality(V, polygons, p); });
+  Vector qualities(triangles.rows());
+  ParallelFor(polygons.Size(),
+    [&](Index p)
+    {
+      const Index first = polygons.FirstTriangle(p);
+      qualities.segment(first, polygons.FirstTriangle(p + 1) - first)
+        .setConstant(PolygonQuality(V, polygons, p));
+    });
   return qualities;
 }
 
@@ -117,10 +123,11 @@ Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangle
   return minimum;
 }
 
-MeshQuality MeasureQuality(const Points& V, const Triangles& triangles, const Subdomain& subdomain)
+MeshQuality MeasureQuality(
+  const Points& V, const Triangles& triangles, const Polygons& polygons, const Subdomain& subdomain)
 {
   MeshQuality quality;
-  quality.triangles = RadiusRatios(V, triangles);
+  quality.triangles = CellQualities(V, triangles, polygons);
   quality.vertices = MinimumAtVertices(quality.triangles, triangles, static_cast<Index>(V.rows()));
   struct Summary
   {
@@ -137,7 +144,7 @@ MeshQuality MeasureQuality(const Points& V, const Triangles& triangles, const Su
   const Summary summary = ParallelSum(static_cast<Index>(triangles.rows()), Summary(),
     [&](Summary& partial, Index t)
     {
-      if (subdomain.OwnsTriangle(t))
+      if (subdomain.OwnsTriangle(t) && polygons.IsFirstTriangle(t))
       {
         partial += { 1, quality.triangles[t], quality.triangles[t] };
       }

@@ -59,24 +59,27 @@ double PolygonQuality(const Points& V, const Polygons& polygons, Index p);
 /// Number of corners that are turned inwards, seen along the normal of the polygon's area.
 Index CountReflexCorners(const Points& V, const Polygons& polygons, Index p);
 
-/// CellQuality() of each cell: of the polygons, or of the triangles if there are none.
+/// CellQuality() of the cell of each triangle.
+/// \param polygons to which the triangles belong; empty if the triangles are the cells
 Vector CellQualities(const Points& V, const Triangles& triangles, const Polygons& polygons);
+
 /// Minimum over the triangles at each vertex, W_t of section 5.2; UndefinedQuality at vertices that
 /// no triangle uses.
 Vector MinimumAtVertices(const Vector& triangleValues, const Triangles& triangles, Index vertices);
 
-/// Eqn. 12 over a mesh.
+/// Eqn. 12 over a mesh, with CellQuality() where cells are larger polygons.
 struct MeshQuality
 {
-  Vector triangles;                  ///< of each triangle
+  Vector triangles;                  ///< for each triangle the quality of its cell
   Vector vertices;                   ///< minimum at each vertex
-  double mean = UndefinedQuality;    ///< t_mean of Fig. 5; UndefinedQuality without triangles
+  double mean = UndefinedQuality;    ///< t_mean of Fig. 5 over cells; UndefinedQuality without any
   double minimum = UndefinedQuality; ///< t_min of Fig. 5
 };
 
 /// The mean and the minimum are those of the whole mesh of which this is a part.
-MeshQuality MeasureQuality(
-  const Points& V, const Triangles& triangles, const Subdomain& subdomain = Subdomain());
+/// \param polygons to which the triangles belong; empty if the triangles are the cells
+MeshQuality MeasureQuality(const Points& V, const Triangles& triangles,
+  const Polygons& polygons = Polygons(), const Subdomain& subdomain = Subdomain());
 }
 
 #endif

@@ -24,6 +24,24 @@ std::vector<Index> Inverse(const std::vector<Index>& order)
   }
   return inverse;
 }
+
+/// The triangles of each polygon one after the other, where the first of them is in the list.
+std::vector<Index> GroupByPolygon(const std::vector<Index>& triangles, const Polygons& polygons)
+{
+  std::vector<Index> grouped;
+  grouped.reserve(triangles.size());
+  Mask isDone(polygons.Size(), 0);
+  for (const Index triangle : triangles)
+  {
+    const Index p = polygons.ofTriangle[triangle];
+    for (Index t = polygons.FirstTriangle(p); !isDone[p] && t < polygons.FirstTriangle(p + 1); ++t)
+    {
+      grouped.push_back(t);
+    }
+    isDone[p] = 1;
+  }
+  return grouped;
+}
 }
 
 bool IsScattered(const Triangles& triangles)
@@ -39,7 +57,7 @@ bool IsScattered(const Triangles& triangles)
   return distance > CachedVertices * std::int64_t(triangles.size());
 }
 
-MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles)
+MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles, const Polygons& polygons)
 {
   const AdjacencyLists cornersAt = CornersAtVertices(vertices, triangles);
   MeshOrder order;
@@ -74,6 +92,10 @@ MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles)
   {
     number(order.triangles, isTriangleNumbered, t);
   }
+  if (!polygons.IsEmpty())
+  {
+    order.triangles = GroupByPolygon(order.triangles, polygons);
+  }
   return order;
 }
 
@@ -90,5 +112,28 @@ Triangles Renumber(const MeshOrder& order, const Triangles& triangles)
       }
     });
   return result;
+}
+
+Polygons Renumber(const MeshOrder& order, const Polygons& polygons)
+{
+  if (polygons.IsEmpty())
+  {
+    return {};
+  }
+  const std::vector<Index> newNumber = Inverse(order.vertices);
+  AdjacencyLists corners;
+  corners.offsets.push_back(0);
+  corners.ids.reserve(polygons.corners.ids.size());
+  for (const Index t : order.triangles)
+  {
+    if (polygons.IsFirstTriangle(t))
+    {
+      const Index p = polygons.ofTriangle[t];
+      std::transform(polygons.corners.Begin(p), polygons.corners.End(p),
+        std::back_inserter(corners.ids), [&](Index i) { return newNumber[i]; });
+      corners.offsets.push_back(static_cast<Index>(corners.ids.size()));
+    }
+  }
+  return Polygons(std::move(corners));
 }
 }

@@ -21,12 +21,17 @@ struct MeshOrder
 bool IsScattered(const Triangles& triangles);
 
 /// Numbers the vertices breadth-first (Cuthill and McKee 1969) and the triangles by their first
-/// vertex.
+/// vertex, those of a polygon one after the other.
 /// \param vertices number of vertices; every id in \a triangles is below it.
-MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles);
+/// \param polygons to which the triangles belong; empty if the triangles are the cells
+MeshOrder BreadthFirstOrder(
+  Index vertices, const Triangles& triangles, const Polygons& polygons = Polygons());
 
 /// The triangles in the new order with the new vertex numbers.
 Triangles Renumber(const MeshOrder& order, const Triangles& triangles);
+
+/// The polygons in the order of their triangles with the new vertex numbers.
+Polygons Renumber(const MeshOrder& order, const Polygons& polygons);
 
 /// Rows of \a values in the new order.
 /// \param oldNumbers of the rows; if empty, the result is \a values

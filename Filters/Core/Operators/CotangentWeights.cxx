@@ -3,16 +3,21 @@
 #include "Core/Operators/CotangentWeights.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/PolygonLaplacian.h"
 
 namespace lmo
 {
 namespace
 {
-/// Edge weights and Voronoi areas share the cotangents.
-RobustWeights ComputePlainWeights(const MeshQuantities& mesh)
+/// Those of Eqns. 4 and 7, for polygons by virtual refinement.
+CotangentParts ComputePlainWeights(const MeshQuantities& mesh)
 {
   const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
+  if (!mesh.GetPolygons().IsEmpty())
+  {
+    return ComputePolygonWeights(V, T, mesh.GetPolygons());
+  }
   const CornerValues cotangents = Cotangents(V, T);
   return { mesh.GetOneRings(), CotangentEdgeWeights(mesh.GetTopology(), T, cotangents),
     MixedVoronoiAreas(V, T, mesh.GetTopology(), cotangents) };
@@ -26,7 +31,7 @@ CotangentWeights::CotangentWeights(const MeshQuantities& mesh)
 {
 }
 
-CotangentWeights::CotangentWeights(const MeshQuantities& mesh, RobustWeights weights)
+CotangentWeights::CotangentWeights(const MeshQuantities& mesh, CotangentParts weights)
   : Mesh(mesh)
   , IsRobust(true)
   , Weights(std::move(weights))
@@ -50,9 +55,10 @@ std::shared_ptr<const Vector> CotangentWeights::GetSoftEdgeWeights() const
     [&]
     {
       const Triangles& T = this->Mesh.GetTriangles();
-      return this->IsRobust ? nullptr
-                            : SoftEdgeWeights(
-                                this->Mesh.GetTopology(), T, Cotangents(this->Mesh.GetPoints(), T));
+      const bool areOfEdges = !this->IsRobust && this->Mesh.GetPolygons().IsEmpty();
+      return areOfEdges
+               ? SoftEdgeWeights(this->Mesh.GetTopology(), T, Cotangents(this->Mesh.GetPoints(), T))
+               : nullptr;
     });
 }
 }

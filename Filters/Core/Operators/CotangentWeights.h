@@ -12,12 +12,12 @@ namespace lmo
 class CotangentWeights : public LazyParts
 {
 public:
-  /// The weights of Eqn. 4.
+  /// The weights of Eqn. 4, or ComputePolygonWeights() if the mesh has polygons.
   /// \param mesh must live longer
   explicit CotangentWeights(const MeshQuantities& mesh);
 
   /// \param weights what ComputeRobustWeights() returned for \a mesh
-  CotangentWeights(const MeshQuantities& mesh, RobustWeights weights);
+  CotangentWeights(const MeshQuantities& mesh, CotangentParts weights);
 
   const Vector& GetVoronoiAreas() const { return this->Weights.voronoiAreas; }
 
@@ -25,13 +25,14 @@ public:
   Laplacian MakeCotangentLaplacian() const;
   Laplacian MakeMeanCurvatureLaplacian() const;
 
-  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, and for robust weights.
+  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, for robust weights, and for
+  /// polygons.
   std::shared_ptr<const Vector> GetSoftEdgeWeights() const;
 
 private:
   const MeshQuantities& Mesh;
   const bool IsRobust;
-  const RobustWeights Weights;
+  const CotangentParts Weights;
   mutable std::optional<std::shared_ptr<const Vector>> SoftWeights;
 };
 }

@@ -27,6 +27,14 @@ struct Laplacian
   Vector rowScale;                           ///< G; 0 makes an empty row
 };
 
+/// What L_c and L_ck of a mesh are made of.
+struct CotangentParts
+{
+  std::shared_ptr<const AdjacencyLists> rings; ///< neighbours, which need not share a mesh edge
+  std::shared_ptr<const Vector> edgeWeights;   ///< omega_ij for each entry of rings
+  Vector voronoiAreas;                         ///< their sum is the area of the surface
+};
+
 /// Eqns. 2, 3, 5: L_u, each row the mean of the one-ring minus the vertex.
 Laplacian UniformLaplacian(std::shared_ptr<const AdjacencyLists> oneRings);
 

@@ -24,11 +24,11 @@ Eigen::AlignedBox3d Unite(const Eigen::AlignedBox3d& box, const Subdomain& subdo
 }
 
 MeshQuantities::MeshQuantities(
-  Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain)
+  Points V, Triangles triangles, Polygons polygons, std::shared_ptr<const Subdomain> subdomain)
   : V(std::move(V))
   , T(std::move(triangles))
-  , Topology(
-      std::make_shared<MeshTopology>(BuildTopology(static_cast<Index>(this->V.rows()), this->T)))
+  , Topology(std::make_shared<MeshTopology>(
+      BuildTopology(static_cast<Index>(this->V.rows()), this->T, std::move(polygons))))
   , Domain(std::move(subdomain))
   , Box(Unite(BoundingBox(this->V, *this->Topology), *this->Domain))
 {
@@ -58,8 +58,10 @@ const Laplacian& MeshQuantities::GetUniformLaplacian() const
 std::shared_ptr<const MeshQuality> MeshQuantities::GetQuality() const
 {
   return this->Get(this->Quality,
-    [&] {
-      return std::make_shared<const MeshQuality>(MeasureQuality(this->V, this->T, *this->Domain));
+    [&]
+    {
+      return std::make_shared<const MeshQuality>(
+        MeasureQuality(this->V, this->T, this->GetPolygons(), *this->Domain));
     });
 }
 

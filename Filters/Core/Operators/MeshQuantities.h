@@ -17,13 +17,15 @@ class MeshQuantities : public LazyParts
 {
 public:
   /// \param triangles ids below the number of rows of \a V
+  /// \param polygons to which the triangles belong; empty if the triangles are the cells
   /// \param subdomain what part of the whole mesh this is
-  MeshQuantities(Points V, Triangles triangles,
+  MeshQuantities(Points V, Triangles triangles, Polygons polygons = Polygons(),
     std::shared_ptr<const Subdomain> subdomain = std::make_shared<Subdomain>());
 
   const Points& GetPoints() const { return this->V; }
   const Triangles& GetTriangles() const { return this->T; }
   const MeshTopology& GetTopology() const { return *this->Topology; }
+  const Polygons& GetPolygons() const { return this->Topology->polygons; }
   std::shared_ptr<const AdjacencyLists> GetOneRings() const;
   const Subdomain& GetSubdomain() const { return *this->Domain; }
 
@@ -32,7 +34,7 @@ public:
   const Eigen::AlignedBox3d& GetBox() const { return this->Box; }
   double GetDiagonal() const { return this->Box.isEmpty() ? 0 : this->Box.diagonal().norm(); }
 
-  /// An edge has exactly one triangle.
+  /// An edge has exactly one cell.
   bool HasBoundary() const;
 
   /// At least one triangle, and no boundary.
@@ -41,7 +43,7 @@ public:
   /// L_u.
   const Laplacian& GetUniformLaplacian() const;
 
-  /// Eqn. 12.
+  /// Eqn. 12, and CellQuality() of larger polygons.
   std::shared_ptr<const MeshQuality> GetQuality() const;
 
   /// Connected component of each vertex.

@@ -203,7 +203,7 @@ void ForEachCellCorner(const Cells& cells, Index i, const Visit& visit)
 }
 }
 
-PolygonWeights ComputePolygonWeights(
+CotangentParts ComputePolygonWeights(
   const Points& V, const Triangles& triangles, const Polygons& polygons)
 {
   const auto vertices = static_cast<Index>(V.rows());

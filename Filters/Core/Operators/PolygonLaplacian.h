@@ -8,14 +8,6 @@
 
 namespace lmo
 {
-/// What L_c and L_ck of a surface of polygons are made of.
-struct PolygonWeights
-{
-  std::shared_ptr<const AdjacencyLists> rings; ///< vertices of the polygons at each vertex
-  std::shared_ptr<const Vector> edgeWeights;   ///< omega_ij for each entry of rings
-  Vector voronoiAreas;                         ///< their sum is the area of the refined surface
-};
-
 /// Cotangent weights and mixed Voronoi areas by virtual refinement (Bunge, Herholz, Kazhdan, Botsch
 /// 2020): each polygon is a fan of triangles around a virtual vertex, the point for which the sum
 /// of their squared areas is least. Its value is a mean of those at the corners with the weights of
@@ -23,7 +15,7 @@ struct PolygonWeights
 /// corners. It is linearly precise on planar polygons of any shape; for a triangle the weights are
 /// the cotangents. Polygons that do not surround their virtual vertex and those with more than 32
 /// corners count as their triangles.
-PolygonWeights ComputePolygonWeights(
+CotangentParts ComputePolygonWeights(
   const Points& V, const Triangles& triangles, const Polygons& polygons);
 
 /// 2 pi minus the sum of the angles at each vertex, in radians, with the share of each vertex in

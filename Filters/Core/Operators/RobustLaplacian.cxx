@@ -35,14 +35,14 @@ void MergeEqual(std::vector<Neighbour>& neighbours)
 }
 }
 
-RobustWeights ComputeRobustWeights(const Points& V, const Triangles& triangles)
+CotangentParts ComputeRobustWeights(const Points& V, const Triangles& triangles)
 {
   IntrinsicTriangulation surface = TuftedCover(V, triangles);
   Mollify(surface);
   FlipToDelaunay(surface);
 
   std::vector<std::vector<Neighbour>> neighbours(V.rows());
-  RobustWeights result;
+  CotangentParts result;
   result.voronoiAreas = Vector::Zero(V.rows());
   for (Index side = 0; side < surface.Size(); ++side)
   {

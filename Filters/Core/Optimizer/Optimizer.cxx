@@ -59,14 +59,14 @@ OptimizerResult Complete(
   {
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());
   }
-  result.comparison = CompareSurfaces(
-    V, result.positions, T, mesh.GetQuality(), mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
+  result.comparison = CompareSurfaces(V, result.positions, T, mesh.GetPolygons(), mesh.GetQuality(),
+    mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
   return result;
 }
 }
 
-Optimizer::Optimizer(Points V, Triangles triangles)
-  : Mesh(std::move(V), std::move(triangles))
+Optimizer::Optimizer(Points V, Triangles triangles, Polygons polygons)
+  : Mesh(std::move(V), std::move(triangles), std::move(polygons))
   , Solver([this](const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,
              ProgressMonitor& monitor)
       { return Solve(problem, type, options, monitor, this->Inverses); })
@@ -75,7 +75,7 @@ Optimizer::Optimizer(Points V, Triangles triangles)
 
 Optimizer::Optimizer(
   Points V, Triangles triangles, std::shared_ptr<const Subdomain> subdomain, ProblemSolver solver)
-  : Mesh(std::move(V), std::move(triangles), std::move(subdomain))
+  : Mesh(std::move(V), std::move(triangles), Polygons(), std::move(subdomain))
   , Solver(std::move(solver))
 {
 }

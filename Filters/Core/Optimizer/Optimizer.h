@@ -26,7 +26,8 @@ class Optimizer
 {
 public:
   /// \param triangles ids below the number of rows of \a V
-  Optimizer(Points V, Triangles triangles);
+  /// \param polygons to which the triangles belong; empty if the triangles are the cells
+  Optimizer(Points V, Triangles triangles, Polygons polygons = Polygons());
 
   /// For a part of a mesh that is distributed over processes. Results are right where the vertex is
   /// owned, metrics are those of the whole mesh.

@@ -109,8 +109,11 @@ AdjacencyLists FeatureEdges(
   }
   if (options.detectFeatures)
   {
-    return DetectFeatureEdges(mesh.GetPoints(), mesh.GetTriangles(), topology,
-      mesh.GetQuality()->triangles, options.featureAngle);
+    const Vector quality = mesh.GetPolygons().IsEmpty()
+                             ? mesh.GetQuality()->triangles
+                             : RadiusRatios(mesh.GetPoints(), mesh.GetTriangles());
+    return DetectFeatureEdges(
+      mesh.GetPoints(), mesh.GetTriangles(), topology, quality, options.featureAngle);
   }
   AdjacencyLists none;
   none.offsets.assign(topology.vertices + 1, 0);
