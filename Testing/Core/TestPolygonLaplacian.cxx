@@ -7,6 +7,7 @@
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/PolygonLaplacian.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 
 #include <cmath>
@@ -35,6 +36,13 @@ Laplacian MeanCurvatureOf(const PolygonMesh& mesh)
 Eigen::MatrixXd Stiffness(const PolygonMesh& mesh)
 {
   return StiffnessMatrix(CotangentOf(mesh));
+}
+
+/// The largest magnitude off the diagonal.
+double LargestWeight(Eigen::MatrixXd K)
+{
+  K.diagonal().setZero();
+  return LargestMagnitude(K);
 }
 
 /// K of the triangles alone.
@@ -167,7 +175,7 @@ void CheckTriangles(Checks& c)
   {
     const PolygonMesh polygons = AsPolygons(mesh);
     c.Error("weights of triangles are their cotangents, to the last bit",
-      LargestMagnitude(Stiffness(polygons) - StiffnessOfTriangles(mesh.V, mesh.T)), 0);
+      LargestWeight(Stiffness(polygons) - StiffnessOfTriangles(mesh.V, mesh.T)), 0);
     const MeshTopology topology = BuildTopology(static_cast<Index>(mesh.V.rows()), mesh.T);
     c.Error("areas of triangles are mixed Voronoi areas",
       LargestMagnitude(WeightsOf(polygons).voronoiAreas -

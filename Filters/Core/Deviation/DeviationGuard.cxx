@@ -30,11 +30,10 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
 
 std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertices)
 {
-  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
   for (const Index i : vertices)
   {
-    std::for_each(
-      cornersAt.Begin(i), cornersAt.End(i), [this](Index corner) { this->Listed.Add(corner / 3); });
+    ForEachTriangleOfCellsAt(this->Topology.cornersAt, this->Topology.polygons, i,
+      [this](Index t) { this->Listed.Add(t); });
   }
   std::vector<Index> triangles = this->Listed.Get();
   this->Listed.Clear();
@@ -65,10 +64,14 @@ std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
   const std::vector<Index>& vertices)
 {
   std::vector<Failure> failures;
-  const AdjacencyLists& rings = this->Topology.oneRings;
   for (const Index i : vertices)
   {
-    for (const Index t : this->TrianglesAt({ rings.Begin(i), rings.End(i) }))
+    std::vector<Index> corners;
+    for (const Index t : this->TrianglesAt({ i }))
+    {
+      corners.insert(corners.end(), this->Mesh.T.row(t).begin(), this->Mesh.T.row(t).end());
+    }
+    for (const Index t : this->TrianglesAt(corners))
     {
       if (!this->Mesh.IsMoved(t) && this->Shapes.IsInverted(t))
       {
@@ -153,6 +156,7 @@ void DeviationGuard::Accept()
       {
         this->Shapes.Accept(t, this->Bounds.GetCentre(t));
       }
+      this->Shapes.AcceptQuality(t);
     });
   CandidateMesh::Copy(proposed, this->Mesh.T, this->Mesh.candidate, this->Mesh.accepted);
   this->EndTransaction();

@@ -77,7 +77,7 @@ public:
   void RollBack();
 
 private:
-  /// The triangles at the vertices, each once.
+  /// The triangles of the cells at the vertices, each once.
   std::vector<Index> TrianglesAt(const std::vector<Index>& vertices);
 
   /// Adds what is not in the list yet.

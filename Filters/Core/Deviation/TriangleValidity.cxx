@@ -80,9 +80,29 @@ void TriangleValidity::Update(const std::vector<Index>& triangles)
     {
       const Index t = triangles[k];
       this->Normals.row(t) = ScaledNormal(this->CandidatePoints, this->T, t).stableNormalized();
-      this->Quality[t] = RadiusRatio(this->CandidatePoints.row(this->T(t, 0)),
-        this->CandidatePoints.row(this->T(t, 1)), this->CandidatePoints.row(this->T(t, 2)));
+      this->Quality[t] = this->MeasureQuality(t);
     });
+}
+
+double TriangleValidity::MeasureQuality(Index t) const
+{
+  const Polygons& polygons = this->Topology.polygons;
+  return polygons.IsEmpty()
+           ? RadiusRatio(this->CandidatePoints.row(this->T(t, 0)),
+               this->CandidatePoints.row(this->T(t, 1)), this->CandidatePoints.row(this->T(t, 2)))
+           : PolygonQuality(this->CandidatePoints, polygons, polygons.ofTriangle[t]);
+}
+
+bool TriangleValidity::HasMoreReflexCorners(Index t) const
+{
+  const Polygons& polygons = this->Topology.polygons;
+  if (polygons.IsEmpty())
+  {
+    return false;
+  }
+  const Index p = polygons.ofTriangle[t];
+  return CountReflexCorners(this->CandidatePoints, polygons, p) >
+         CountReflexCorners(this->AcceptedPoints, polygons, p);
 }
 
 bool TriangleValidity::IsBad(Index t, double least) const
@@ -105,23 +125,23 @@ bool TriangleValidity::IsFolded(Index t) const
       }
     }
   }
-  return false;
+  return this->HasMoreReflexCorners(t);
 }
 
 bool TriangleValidity::FacesAllAround(Index t) const
 {
-  const AdjacencyLists& cornersAt = this->Topology.cornersAt;
-  const auto isAside = [&](Index corner)
-  { return this->Normals.row(corner / 3).dot(this->Normals.row(t)) < 0; };
-  for (int k = 0; k < 3; ++k)
+  bool facesAll = true;
+  for (int k = 0; k < 3 && facesAll; ++k)
   {
     const Index i = this->T(t, k);
-    if (!this->Topology.IsHub(i) && std::any_of(cornersAt.Begin(i), cornersAt.End(i), isAside))
+    if (!this->Topology.IsHub(i))
     {
-      return false;
+      ForEachTriangleOfCellsAt(this->Topology.cornersAt, this->Topology.polygons, i,
+        [&](Index other)
+        { facesAll = facesAll && !(this->Normals.row(other).dot(this->Normals.row(t)) < 0); });
     }
   }
-  return true;
+  return facesAll;
 }
 
 bool TriangleValidity::IsInverted(Index t) const

@@ -19,7 +19,7 @@ public:
   TriangleValidity(const Points& accepted, const Points& candidate, const Triangles& triangles,
     const MeshTopology& topology, const Triangles& neighbours);
 
-  /// t of the accepted triangles.
+  /// t of the accepted triangles; those of a polygon have its quality.
   const Vector& GetAcceptedQuality() const { return this->AcceptedQuality; }
 
   /// t of the candidate's triangles.
@@ -31,7 +31,8 @@ public:
   /// True if t is below \a least and has fallen.
   bool IsBad(Index t, double least) const;
 
-  /// True if the angle to a neighbour is too sharp.
+  /// True if the angle to a neighbour is too sharp, or if the triangle's polygon has more reflex
+  /// corners than before.
   bool IsFolded(Index t) const;
 
   /// True if the triangle faces away from the vertex normals at its corners, more than before.
@@ -44,6 +45,9 @@ public:
   /// Accepts one triangle of the candidate.
   void Accept(Index t, Index below);
 
+  /// Accepts the quality of one triangle, which has changed with another one of its polygon.
+  void AcceptQuality(Index t) { this->AcceptedQuality[t] = this->Quality[t]; }
+
   /// Goes back to the accepted ones of these triangles.
   void RollBack(const std::vector<Index>& triangles);
 
@@ -51,6 +55,11 @@ private:
   /// True if the triangle faces the same side as all that meet it: it is not inverted then, since
   /// the vertex normals are sums of theirs.
   bool FacesAllAround(Index t) const;
+
+  /// RadiusRatio(), or PolygonQuality() of the triangle's polygon, in the candidate.
+  double MeasureQuality(Index t) const;
+
+  bool HasMoreReflexCorners(Index t) const;
 
   const Points& AcceptedPoints;
   const Points& CandidatePoints;

@@ -30,7 +30,9 @@ public:
     , Topology(topology)
     , Motion(motion)
     , Place(place)
-    , LossLeft(LargestLoss * static_cast<double>(triangles.rows()))
+    , LossLeft(LargestLoss * static_cast<double>(topology.polygons.IsEmpty()
+                                                   ? triangles.rows()
+                                                   : Eigen::Index(topology.polygons.Size())))
     , IsExhausted(topology.vertices, false)
   {
   }
@@ -52,11 +54,17 @@ public:
   }
 
 private:
-  /// t of the triangles at a vertex.
+  /// t of the cells at a vertex.
   struct Shape
   {
     double minimum = 1;
     double sum = 0;
+
+    void Add(double t)
+    {
+      this->minimum = std::min(this->minimum, t);
+      this->sum += t;
+    }
 
     /// First the minimum up to the goal, then the sum.
     bool IsBetter(const Shape& other, double goal) const
@@ -94,13 +102,23 @@ private:
   {
     const Points& V = this->Guard.GetAccepted();
     const AdjacencyLists& cornersAt = this->Topology.cornersAt;
+    const Polygons& polygons = this->Topology.polygons;
     Shape shape;
     for (const Index* c = cornersAt.Begin(vertex); c != cornersAt.End(vertex); ++c)
     {
-      const double t = RadiusRatio(
-        position, V.row(this->T.data()[NextCorner(*c)]), V.row(this->T.data()[PreviousCorner(*c)]));
-      shape.minimum = std::min(shape.minimum, t);
-      shape.sum += t;
+      if (polygons.IsEmpty())
+      {
+        shape.Add(RadiusRatio(position, V.row(this->T.data()[NextCorner(*c)]),
+          V.row(this->T.data()[PreviousCorner(*c)])));
+      }
+      else if (c == cornersAt.Begin(vertex) ||
+               polygons.ofTriangle[*c / 3] != polygons.ofTriangle[c[-1] / 3])
+      {
+        const Index p = polygons.ofTriangle[*c / 3];
+        const Index* ids = polygons.corners.Begin(p);
+        shape.Add(CellQuality(polygons.corners.Size(p),
+          [&](Index k) -> Vector3 { return ids[k] == vertex ? position : V.row(ids[k]); }));
+      }
     }
     return shape;
   }
