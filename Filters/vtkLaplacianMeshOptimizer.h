@@ -24,9 +24,12 @@
  * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
  *
  * Input: polygons and triangle strips; vertices and lines pass through and their points do not move
- * unless a polygon uses them too. Polygons with more than three corners count as triangles, into
- * which they are cut inside of the filter only: quads along the diagonal that is inside, the
- * shorter one if both are; larger polygons, which may be concave, as vtkPolygon does. Points with
+ * unless a polygon uses them too. Quads and larger polygons, which may be concave, have neighbours
+ * along their edges only, and cotangents by virtual refinement (Bunge et al. 2020). Distances,
+ * normals of triangles, volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which
+ * the filter cuts them: quads along the diagonal that is inside, the shorter one if both are;
+ * larger polygons as vtkPolygon does. Over several processes all is done on these triangles.
+ * Points with
  * float coordinates give float coordinates, all others double. A composite data set is treated
  * block by block, each with statistics of its own. A surface in pieces on several processes needs
  * vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
@@ -34,10 +37,11 @@
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
- *   (degenerate) to 1 (equilateral); for a polygon or a strip the minimum over its triangles, those
- *   into which the input was cut; -1 for vertices
- *   and lines.
- * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the triangles at the point; -1
+ *   (degenerate) to 1 (equilateral); of a polygon with n > 3 corners the minimum over its corners
+ *   of 2 |a x b| / ((a^2 + b^2) sin theta_n), clipped to 1, with the edges a and b of the corner and
+ *   the angle theta_n of the regular polygon (Verdict's Shape for convex quads); of a strip the
+ *   minimum over its triangles; -1 for vertices and lines. Means count each cell once.
+ * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the cells at the point; -1
  *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
  *   `PositionWeight`, `LaplacianWeight`: the diagonals of W_p and W_L that the weighting schemes
  *   gave. `Displacement`: new minus old coordinates. With features also `FeatureClass`: 0 smooth, 1

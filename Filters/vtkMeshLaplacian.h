@@ -15,9 +15,10 @@
  * - `VoronoiArea`: mixed Voronoi area (Meyer et al. 2003); their sum is the area of the surface.
  *
  * Boundary points take the mean curvatures and the Gaussian curvature as means over their inner
- * neighbours, 0 if they have none. Points that no triangle uses have 0 everywhere. Vertices and
- * lines may stand beside the polygons and triangle strips, which count as triangles, cut as
- * vtkLaplacianMeshOptimizer does.
+ * neighbours, 0 if they have none. Points that no cell uses have 0 everywhere. Vertices and lines
+ * may stand beside the polygons and triangle strips. On quads and larger polygons the one-ring is
+ * that of the edges, and the other Laplacians, curvatures and areas are those of the virtual
+ * refinement of Bunge, Herholz, Kazhdan and Botsch (2020), which relates all points of a polygon.
  *
  * @sa vtkLaplacianMeshOptimizer vtkCurvatures
  */

@@ -16,12 +16,12 @@ def to_polydata(mesh, **point_arrays):
     V, T = mesh
     points = vtkPoints()
     points.SetData(numpy_to_vtk(np.ascontiguousarray(V), deep=True))
-    triangles = vtkCellArray()
-    for triangle in T.tolist():
-        triangles.InsertNextCell(3, triangle)
+    polygons = vtkCellArray()
+    for polygon in T.tolist():
+        polygons.InsertNextCell(len(polygon), polygon)
     polydata = vtkPolyData()
     polydata.SetPoints(points)
-    polydata.SetPolys(triangles)
+    polydata.SetPolys(polygons)
     for name, values in point_arrays.items():
         array = numpy_to_vtk(np.ascontiguousarray(values), deep=True)
         array.SetName(name)
