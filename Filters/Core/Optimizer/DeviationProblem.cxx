@@ -18,15 +18,20 @@ constexpr double GoodQuality = 0.5; ///< t from which a vertex is held with its 
 
 /// Hubs and their neighbours stay: thousands of triangles that meet in a point are close to each
 /// other everywhere, and the guard would compare all of them.
-void HoldHubs(const MeshTopology& topology, Mask& freedom)
+void HoldHubs(const Triangles& triangles, const MeshTopology& topology, Mask& freedom)
 {
   for (Index i = 0; i < topology.vertices; ++i)
   {
     if (topology.IsHub(i))
     {
-      freedom[i] = DisplacementConstraints::FIXED;
-      std::for_each(topology.oneRings.Begin(i), topology.oneRings.End(i),
-        [&](Index j) { freedom[j] = DisplacementConstraints::FIXED; });
+      const AdjacencyLists& cornersAt = topology.cornersAt;
+      for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+      {
+        for (const Index j : triangles.row(*corner / 3))
+        {
+          freedom[j] = DisplacementConstraints::FIXED;
+        }
+      }
     }
   }
 }
@@ -40,7 +45,7 @@ LeastSquaresProblem SetUpTangentialProblem(
   problem.laplacian.L = mesh.GetUniformLaplacian();
   problem.laplacian.weights = Vector::Zero(topology.vertices);
   problem.motion = motion;
-  HoldHubs(topology, problem.motion.freedom);
+  HoldHubs(mesh.GetTriangles(), topology, problem.motion.freedom);
   for (Index i = 0; i < topology.vertices; ++i)
   {
     auto& freedom = problem.motion.freedom[i];
