@@ -4,6 +4,7 @@
 
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/FeatureLines.h"
+#include "Core/Mesh/SurfaceNormals.h"
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
@@ -15,9 +16,10 @@ namespace lmo
 {
 namespace
 {
-constexpr double WorstQuality = 0.1;
-constexpr Index FewestEdges = 10;
-constexpr double FlatShare = 0.25; ///< of the angle, below which edges are flat
+constexpr Index FewestEdges = 10; ///< of a line that ends somewhere on the surface
+constexpr double FlatShare = 0.25;  ///< of the angle, below which edges are flat
+constexpr double FlatSharePerEnd = FlatShare / 40; ///< the same for small groups of edges
+constexpr double PlaneShare = 0.025; ///< of the angle, below which edges lie in a plane
 
 /// The neighbours j of each vertex i for which isChosen(i, j), in ascending order.
 template <typename IsChosen>
@@ -79,44 +81,139 @@ struct EdgeTriangles
   }
 };
 
-/// Angle between the normals of an edge's triangles, in radians, or a straight one if there are not
-/// two that agree in their orientation.
-double DihedralAngle(const Points& V, const Triangles& T, const EdgeTriangles& edge)
+/// The angles at which the surface turns at its edges, in radians.
+class EdgeAngles
 {
-  if (!edge.areOpposite)
+public:
+  EdgeAngles(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+    const Vector& quality, double angle)
+    : T(triangles)
+    , Topology(topology)
+    , Normals(V, triangles, topology, quality, angle)
   {
-    return Pi;
   }
-  const Vector3 a = ScaledNormal(V, T, edge.triangles[0]).stableNormalized();
-  const Vector3 b = ScaledNormal(V, T, edge.triangles[1]).stableNormalized();
-  return std::acos(std::clamp(a.dot(b), -1.0, 1.0));
-}
+
+  /// A straight angle if there are not two triangles that agree in their orientation.
+  double operator()(Index i, Index j) const { return this->Of({ this->T, this->Topology, i, j }); }
+
+  /// True if the edge turns by more than an angle, whatever round-off does to the coordinates.
+  bool IsSharp(Index i, Index j, double angle) const
+  {
+    const EdgeTriangles edge(this->T, this->Topology, i, j);
+    const double error =
+      edge.areOpposite ? this->Normals.Error(edge.triangles[0], edge.triangles[1]) : 0;
+    return edge.count > 1 && this->Of(edge) - error > angle;
+  }
+
+  bool IsBesideThin(Index i, Index j) const
+  {
+    const EdgeTriangles edge(this->T, this->Topology, i, j);
+    return std::any_of(edge.triangles, edge.triangles + edge.count,
+      [&](Index t) { return this->Normals.IsThin(t); });
+  }
+
+private:
+  double Of(const EdgeTriangles& edge) const
+  {
+    return edge.areOpposite ? this->Normals.Angle(edge.triangles[0], edge.triangles[1]) : Pi;
+  }
+
+  const Triangles& T;
+  const MeshTopology& Topology;
+  const SurfaceNormals Normals;
+};
 
 bool Contains(const AdjacencyLists& edges, Index i, Index j)
 {
   return std::binary_search(edges.Begin(i), edges.End(i), j);
 }
 
+/// True if the edges at corner i of triangle t that are not its own would pin it.
+bool IsPinnedWithout(
+  const AdjacencyLists& edges, const Points& V, const Triangles& triangles, Index t, Index i)
+{
+  Index others[2];
+  Index count = 0;
+  for (const Index* j = edges.Begin(i); j != edges.End(i); ++j)
+  {
+    if (*j != triangles(t, 0) && *j != triangles(t, 1) && *j != triangles(t, 2))
+    {
+      others[count++ % 2] = *j;
+    }
+  }
+  return count > 0 && (count != 2 || !IsSmoothTurn(V, others[0], i, others[1]));
+}
+
+/// Drops the edges at corners that are features of a triangle's own making.
+AdjacencyLists DropOwnCorners(const AdjacencyLists& edges, const Points& V,
+  const Triangles& triangles, const MeshTopology& topology)
+{
+  Eigen::Matrix<unsigned char, Eigen::Dynamic, 3, Eigen::RowMajor> isOwn(triangles.rows(), 3);
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      bool isClosed = !IsCollapsed(triangles, t);
+      for (int k = 0; k < 3; ++k)
+      {
+        isClosed = isClosed && Contains(edges, triangles(t, k), triangles(t, (k + 1) % 3));
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        isOwn(t, k) = isClosed && !IsPinnedWithout(edges, V, triangles, t, triangles(t, k));
+      }
+    });
+  return ChooseEdges(topology,
+    [&](Index i, Index j)
+    {
+      const auto isAtOwnCorner = [&](Index t)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          if (isOwn(t, k) && (triangles(t, k) == i || triangles(t, k) == j))
+          {
+            return true;
+          }
+        }
+        return false;
+      };
+      if (!Contains(edges, i, j))
+      {
+        return false;
+      }
+      const EdgeTriangles edge(triangles, topology, i, j);
+      return std::none_of(edge.triangles, edge.triangles + edge.count, isAtOwnCorner);
+    });
+}
+
 /// Connected edges.
 struct Group
 {
-  Index ends = 0; ///< twice the number of edges
+  Index ends = 0;      ///< twice the number of edges
+  Index solidEnds = 0; ///< the same without those beside thin triangles
+  Index freeEnds = 0;  ///< vertices at which a line ends inside the surface
+  Index junctions = 0; ///< vertices of more than two edges
   Index corners = 0;
   Index inner = 0; ///< vertices inside lines
   double angleBeside = 0;
-  Index beside = 0; ///< other edges at the vertices
+  Index beside = 0;   ///< other edges at the vertices
+  Index inPlanes = 0; ///< and those of them that lie in a plane
 
   bool IsFeature(double angle) const
   {
+    const bool isWhole = this->freeEnds == 0;
+    const bool isLoop = isWhole && this->junctions == 0;
     const bool isLine = 4 * this->corners <= this->inner;
-    const bool isBesideFlat = this->angleBeside < FlatShare * angle * this->beside;
-    return this->ends >= 2 * FewestEdges && (isLine || isBesideFlat);
+    const double flat = isLoop ? FlatShare : std::min(FlatShare, this->ends * FlatSharePerEnd);
+    const bool isBesideFlat = this->angleBeside < flat * angle * this->beside;
+    const bool isBesidePlanes = 2 * this->inPlanes >= this->beside;
+    return (isWhole || this->solidEnds >= 2 * FewestEdges) &&
+      (isLine || isBesideFlat || isBesidePlanes);
   }
 };
 
 /// Drops the groups of connected edges that are no feature.
-AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, double angle)
+AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V,
+  const MeshTopology& topology, const EdgeAngles& angles, double angle)
 {
   const std::vector<Index> groupOf = ConnectedComponents(edges);
   const FeatureLines lines = ClassifyLines(std::make_shared<AdjacencyLists>(edges), V);
@@ -127,14 +224,19 @@ AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const Tri
     {
       Group& group = groups[groupOf[i]];
       group.ends += edges.Size(i);
+      group.freeEnds += edges.Size(i) == 1 && !topology.isBoundary[i];
+      group.solidEnds += std::count_if(edges.Begin(i), edges.End(i),
+        [&](Index j) { return !angles.IsBesideThin(i, j); });
+      group.junctions += edges.Size(i) > 2;
       group.corners += lines.pointClass[i] == FeatureLines::CORNER;
       group.inner += lines.pointClass[i] == FeatureLines::EDGE;
       for (const Index* j = topology.oneRings.Begin(i); j != topology.oneRings.End(i); ++j)
       {
         if (!Contains(edges, i, *j))
         {
-          group.angleBeside +=
-            DihedralAngle(V, triangles, EdgeTriangles(triangles, topology, i, *j));
+          const double angleBeside = angles(i, *j);
+          group.angleBeside += angleBeside;
+          group.inPlanes += angleBeside < PlaneShare * angle;
           ++group.beside;
         }
       }
@@ -149,16 +251,10 @@ AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
   const MeshTopology& topology, const Vector& quality, double angle)
 {
   const double radians = angle * Pi / 180;
-  const AdjacencyLists sharp = ChooseEdges(topology,
-    [&](Index i, Index j)
-    {
-      const EdgeTriangles edge(triangles, topology, i, j);
-      const bool isBoundary = edge.count == 1;
-      const bool isBad = edge.areOpposite && std::min(quality[edge.triangles[0]],
-                                               quality[edge.triangles[1]]) < WorstQuality;
-      return !isBoundary && !isBad && DihedralAngle(V, triangles, edge) > radians;
-    });
-  return DropNoise(sharp, V, triangles, topology, radians);
+  const EdgeAngles angles(V, triangles, topology, quality, radians);
+  const AdjacencyLists sharp =
+    ChooseEdges(topology, [&](Index i, Index j) { return angles.IsSharp(i, j, radians); });
+  return DropNoise(DropOwnCorners(sharp, V, triangles, topology), V, topology, angles, radians);
 }
 
 AdjacencyLists EdgesBetweenRegions(

@@ -10,7 +10,7 @@ namespace lmo
 {
 namespace
 {
-constexpr double CosineOfLargestTurn = 0.5; // 60 degrees
+constexpr double CosineOfLargestTurn = 0.4999; // 60 degrees, and what round-off may add
 
 Vector3 ClosestPointOnSegment(const Vector3& x, const Vector3& a, const Vector3& b)
 {
@@ -46,6 +46,13 @@ void WalkLine(const FeatureLines& features, const Points& V, Index i, Index j, d
 }
 }
 
+bool IsSmoothTurn(const Points& V, Index previous, Index i, Index next)
+{
+  const Vector3 in = (V.row(i) - V.row(previous)).stableNormalized();
+  const Vector3 out = (V.row(next) - V.row(i)).stableNormalized();
+  return in.dot(out) >= CosineOfLargestTurn;
+}
+
 FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Points& V)
 {
   FeatureLines features;
@@ -61,14 +68,12 @@ FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Po
       features.pointClass[i] = FeatureLines::CORNER;
       if (lines->Size(i) == 2)
       {
-        const Vector3 previous = V.row(lines->Begin(i)[0]);
-        const Vector3 next = V.row(lines->Begin(i)[1]);
-        const Vector3 in = (V.row(i) - previous).stableNormalized();
-        const Vector3 out = (next - V.row(i)).stableNormalized();
-        if (in.dot(out) >= CosineOfLargestTurn)
+        const Index previous = lines->Begin(i)[0];
+        const Index next = lines->Begin(i)[1];
+        if (IsSmoothTurn(V, previous, i, next))
         {
           features.pointClass[i] = FeatureLines::EDGE;
-          features.tangents.row(i) = (next - previous).stableNormalized();
+          features.tangents.row(i) = (V.row(next) - V.row(previous)).stableNormalized();
         }
       }
     });

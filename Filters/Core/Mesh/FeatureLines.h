@@ -23,6 +23,9 @@ struct FeatureLines
   Points tangents;                             ///< unit direction of the line at an EDGE, else 0
 };
 
+/// True if a line that leads from vertex previous over i to next turns at i by at most 60 degrees.
+bool IsSmoothTurn(const Points& V, Index previous, Index i, Index next);
+
 FeatureLines ClassifyLines(std::shared_ptr<const AdjacencyLists> lines, const Points& V);
 
 /// Calls visit(vertex, previous, next) for each EDGE.

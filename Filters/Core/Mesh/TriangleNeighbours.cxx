@@ -32,6 +32,13 @@ Index TriangleAlong(const Triangles& triangles, const AdjacencyLists& cornersAt,
 }
 }
 
+Index NeighbourAcross(const Triangles& triangles, const MeshTopology& topology, Index i, Index j)
+{
+  const Index here = TriangleAlong(triangles, topology.cornersAt, i, j);
+  const Index there = TriangleAlong(triangles, topology.cornersAt, j, i);
+  return here == NoNeighbour ? NoNeighbour : there;
+}
+
 Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology& topology)
 {
   Triangles neighbours(triangles.rows(), 3);
@@ -40,11 +47,8 @@ Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology&
     {
       for (int k = 0; k < 3; ++k)
       {
-        const Index from = triangles(t, k);
-        const Index to = triangles(t, (k + 1) % 3);
-        const Index here = TriangleAlong(triangles, topology.cornersAt, from, to);
-        const Index there = TriangleAlong(triangles, topology.cornersAt, to, from);
-        neighbours(t, k) = here == NoNeighbour ? NoNeighbour : there;
+        neighbours(t, k) =
+          NeighbourAcross(triangles, topology, triangles(t, k), triangles(t, (k + 1) % 3));
       }
     });
   return neighbours;

@@ -11,6 +11,9 @@ namespace lmo
 /// their orientation.
 constexpr Index NoNeighbour = -1;
 
+/// The triangle beside the edge from vertex i to j of a triangle, or NoNeighbour.
+Index NeighbourAcross(const Triangles& triangles, const MeshTopology& topology, Index i, Index j);
+
 /// One row per triangle: the triangle across the edge that leaves each corner counter-clockwise, or
 /// NoNeighbour.
 Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology& topology);
