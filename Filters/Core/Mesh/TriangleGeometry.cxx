@@ -68,10 +68,14 @@ Vector3 ScaledNormal(const Points& V, const Triangles& triangles, Index t)
   return edges.next.cross(edges.previous);
 }
 
-// By the Voronoi regions of the triangle's features (Ericson, Real-Time Collision
-// Detection, 5.1.5).
-Vector3 ClosestPointOnTriangle(
-  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+namespace
+{
+/// Calls the method of \a result for the part of triangle abc that is closest to x: AtCorner(k),
+/// OnEdge(from, to, fraction of the way) or Inside(weights of the corners, not normalised). By the
+/// Voronoi regions of the parts (Ericson, Real-Time Collision Detection, 5.1.5).
+template <typename Result>
+auto AtClosestPoint(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c, const Result& result)
 {
   const Vector3 ab = b - a;
   const Vector3 ac = c - a;
@@ -80,31 +84,31 @@ Vector3 ClosestPointOnTriangle(
   const double acax = ac.dot(ax);
   if (abax <= 0 && acax <= 0)
   {
-    return a;
+    return result.AtCorner(0);
   }
   const Vector3 bx = x - b;
   const double abbx = ab.dot(bx);
   const double acbx = ac.dot(bx);
   if (abbx >= 0 && acbx <= abbx)
   {
-    return b;
+    return result.AtCorner(1);
   }
   const double weightOfC = abax * acbx - abbx * acax;
   if (weightOfC <= 0 && abax >= 0 && abbx <= 0)
   {
-    return abax > abbx ? Vector3(a + abax / (abax - abbx) * ab) : a;
+    return abax > abbx ? result.OnEdge(0, 1, abax / (abax - abbx)) : result.AtCorner(0);
   }
   const Vector3 cx = x - c;
   const double abcx = ab.dot(cx);
   const double accx = ac.dot(cx);
   if (accx >= 0 && abcx <= accx)
   {
-    return c;
+    return result.AtCorner(2);
   }
   const double weightOfB = abcx * acax - abax * accx;
   if (weightOfB <= 0 && acax >= 0 && accx <= 0)
   {
-    return acax > accx ? Vector3(a + acax / (acax - accx) * ac) : a;
+    return acax > accx ? result.OnEdge(0, 2, acax / (acax - accx)) : result.AtCorner(0);
   }
   const double weightOfA = abbx * accx - abcx * acbx;
   const double towardsC = acbx - abbx;
@@ -112,9 +116,51 @@ Vector3 ClosestPointOnTriangle(
   if (weightOfA <= 0 && towardsC >= 0 && towardsB >= 0)
   {
     const double sum = towardsC + towardsB;
-    return sum > 0 ? Vector3(b + towardsC / sum * (c - b)) : b;
+    return sum > 0 ? result.OnEdge(1, 2, towardsC / sum) : result.AtCorner(1);
   }
-  return a + (weightOfB * ab + weightOfC * ac) / (weightOfA + weightOfB + weightOfC);
+  return result.Inside(weightOfA, weightOfB, weightOfC);
+}
+
+/// The closest point by its coordinates.
+struct ByPosition
+{
+  const Vector3 corners[3];
+
+  Vector3 AtCorner(int k) const { return this->corners[k]; }
+  Vector3 OnEdge(int from, int to, double fraction) const
+  {
+    return this->corners[from] + fraction * (this->corners[to] - this->corners[from]);
+  }
+  Vector3 Inside(double a, double b, double c) const
+  {
+    const Vector3 ab = this->corners[1] - this->corners[0];
+    const Vector3 ac = this->corners[2] - this->corners[0];
+    return this->corners[0] + (b * ab + c * ac) / (a + b + c);
+  }
+};
+
+/// The closest point by its barycentric coordinates.
+struct ByWeights
+{
+  Vector3 AtCorner(int k) const { return Vector3::Unit(k); }
+  Vector3 OnEdge(int from, int to, double fraction) const
+  {
+    return (1 - fraction) * Vector3::Unit(from) + fraction * Vector3::Unit(to);
+  }
+  Vector3 Inside(double a, double b, double c) const { return Vector3(a, b, c) / (a + b + c); }
+};
+}
+
+Vector3 ClosestPointOnTriangle(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return AtClosestPoint(x, a, b, c, ByPosition{ { a, b, c } });
+}
+
+Vector3 ClosestBarycentricCoordinates(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c)
+{
+  return AtClosestPoint(x, a, b, c, ByWeights{});
 }
 
 Vector3 TriangleCotangents(const TriangleCorners& corners)

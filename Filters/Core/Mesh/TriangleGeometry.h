@@ -40,6 +40,11 @@ Vector3 MixedVoronoiShares(const TriangleCorners& corners, const Vector3& cotang
 /// Angles at the corners, in radians.
 Vector3 TriangleAngles(const TriangleCorners& corners);
 
+/// The barycentric coordinates of ClosestPointOnTriangle(): the weights of a, b and c, from 0 to 1,
+/// with sum 1.
+Vector3 ClosestBarycentricCoordinates(
+  const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
+
 /// Cotangent of the angle at each corner (Fig. 4): positive below a right angle, negative above,
 /// at most MaximumCotangent in magnitude; 0 at the corners of a triangle without area.
 CornerValues Cotangents(const Points& V, const Triangles& triangles);

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_SurfaceWalk_h
+#define lmo_SurfaceWalk_h
+
+#include "Core/Mesh/AdjacencyLists.h"
+
+namespace lmo
+{
+/// A point of a surface.
+struct SurfaceLocation
+{
+  Index triangle = -1; ///< -1 if there is none
+  Vector3 weights;     ///< barycentric coordinates: of the triangle's corners, >= 0, with sum 1
+};
+
+/// Finds the point of a surface that is closest to \a x near one of its vertices: begins with the
+/// triangles at the vertex and goes on to those that share a vertex with the closest triangle, as
+/// long as the distance falls. Sheets of the surface that are not connected there are not reached.
+/// \param cornersAt CornersAtVertices() of the triangles
+/// \return no triangle if the vertex has none
+SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
+  const AdjacencyLists& cornersAt, Index vertex, const Vector3& x);
+}
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef PointDataInterpolation_h
+#define PointDataInterpolation_h
+
+#include "Core/Base/Types.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkPointData;
+class vtkPolyData;
+
+namespace lmo
+{
+/// The point data of a surface whose points moved along it: each point takes the values at the
+/// point of the input that is closest to it, as WalkToClosestPoint() finds that. Points that did
+/// not move keep theirs.
+///
+/// Floating-point arrays and colours (three or four unsigned chars) are interpolated by barycentric
+/// coordinates and stay within the range of their corners' values; the active normals are given
+/// unit length again. Other arrays take the values of the nearest corner. Global, pedigree and
+/// original ids and the ghost flags stay with the point.
+/// \param triangles of the input, by its point ids
+/// \param positions of the output, a row per point
+vtkSmartPointer<vtkPointData> InterpolatePointData(
+  vtkPolyData* input, const Triangles& triangles, const Points& positions);
+}
+
+#endif
