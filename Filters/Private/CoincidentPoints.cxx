@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CoincidentPoints.h"
+
+#include "Core/Mesh/MeshTopology.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+namespace lmo
+{
+namespace
+{
+bool HaveSameCoordinates(const Points& V, Index i, Index j)
+{
+  return V.row(i) == V.row(j);
+}
+
+/// The points that share their coordinates with another one, those of one place together and
+/// ascending.
+std::vector<Index> PointsWithTwins(const Points& V)
+{
+  std::vector<Index> points(V.rows());
+  std::iota(points.begin(), points.end(), Index(0));
+  std::sort(points.begin(), points.end(),
+    [&](Index i, Index j)
+    {
+      for (int c = 0; c < 3; ++c)
+      {
+        if (V(i, c) != V(j, c))
+        {
+          return V(i, c) < V(j, c);
+        }
+      }
+      return i < j;
+    });
+  std::vector<Index> twins;
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    const bool hasPrevious = k > 0 && HaveSameCoordinates(V, points[k - 1], points[k]);
+    const bool hasNext = k + 1 < points.size() && HaveSameCoordinates(V, points[k], points[k + 1]);
+    if (hasPrevious || hasNext)
+    {
+      twins.push_back(points[k]);
+    }
+  }
+  return twins;
+}
+
+/// True if an edge at the point belongs to exactly one triangle.
+bool IsOnBoundary(const AdjacencyLists& cornersAt, const Triangles& triangles, Index point)
+{
+  std::vector<Index> neighbours;
+  for (const Index* corner = cornersAt.Begin(point); corner != cornersAt.End(point); ++corner)
+  {
+    neighbours.push_back(triangles.data()[NextCorner(*corner)]);
+    neighbours.push_back(triangles.data()[PreviousCorner(*corner)]);
+  }
+  std::sort(neighbours.begin(), neighbours.end());
+  for (auto first = neighbours.begin(); first != neighbours.end();)
+  {
+    const auto last = std::upper_bound(first, neighbours.end(), *first);
+    if (last - first == 1)
+    {
+      return true;
+    }
+    first = last;
+  }
+  return false;
+}
+}
+
+std::vector<Index> FindCoincidentBoundaryPoints(const Points& V, const Triangles& triangles)
+{
+  std::vector<Index> candidates = PointsWithTwins(V);
+  if (candidates.empty())
+  {
+    return {};
+  }
+  const auto size = static_cast<Index>(V.rows());
+  const AdjacencyLists cornersAt = CornersAtVertices(size, triangles);
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                     [&](Index i) { return !IsOnBoundary(cornersAt, triangles, i); }),
+    candidates.end());
+  std::vector<Index> vertices(size);
+  std::iota(vertices.begin(), vertices.end(), Index(0));
+  bool hasTwins = false;
+  for (std::size_t k = 1; k < candidates.size(); ++k)
+  {
+    if (HaveSameCoordinates(V, candidates[k - 1], candidates[k]))
+    {
+      vertices[candidates[k]] = vertices[candidates[k - 1]];
+      hasTwins = true;
+    }
+  }
+  return hasTwins ? vertices : std::vector<Index>();
+}
+}
