@@ -5,6 +5,8 @@
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerSession.h"
 #include "Private/OptimizerTables.h"
+#include "Private/PointDataInterpolation.h"
+#include "Private/PointNormals.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
 
@@ -79,6 +81,7 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(
 {
   const lmo::MeshNumbering& numbering = this->Numbering;
   vtkPointData* pointData = output->GetPointData();
+  this->WritePointData(result, input, pointData);
   const auto add = [&](const char* name, auto& values)
   { pointData->AddArray(lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())
@@ -93,12 +96,29 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(
   {
     add("FeatureClass", result.featureClass);
   }
-  if (result.normals.rows() > 0)
-  {
-    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals, numbering));
-  }
   lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, output);
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, output);
+}
+
+void vtkLaplacianMeshOptimizer::Session::WritePointData(
+  const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const
+{
+  const int mode = this->Filter->Mode;
+  const bool slides = mode == OPTIMIZE_WITHIN_DEVIATION || mode == OPTIMIZE_TRIANGLES;
+  if (slides && this->Filter->InterpolatePointData && input->GetPoints())
+  {
+    pointData->ShallowCopy(lmo::InterpolatePointData(
+      input, this->Numbering, this->Numbering.ToPoints(result.positions)));
+  }
+  else if (result.normals.rows() > 0)
+  {
+    vtkDataArray* normals = pointData->GetNormals();
+    pointData->SetNormals(lmo::ReplaceNormals(
+      normals, this->Numbering.HasMergedPoints()
+                 ? lmo::NormalsOfMergedPoints(
+                     input, this->Numbering.ToPoints(result.positions), this->Numbering)
+                 : this->Numbering.ToPoints(result.normals)));
+  }
 }
 
 void vtkLaplacianMeshOptimizer::Session::SetMetrics(

@@ -432,6 +432,36 @@ public:
 
   ///@{
   /**
+   * For OPTIMIZE_WITHIN_DEVIATION and OPTIMIZE_TRIANGLES, where points slide along the surface:
+   * each point takes the point data of the place of the input that is closest to its new position,
+   * found from the triangles at the point. Floating-point arrays and colours (three or four
+   * unsigned chars) are interpolated in the triangle there and stay within the range of its
+   * corners; the point normals are interpolated too, with unit length, instead of computed anew.
+   * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
+   * flags stay with the point, and cell data with their cells. Off: all point data stay with their
+   * points, and fields are displaced with them. Default: on.
+   */
+  vtkSetMacro(InterpolatePointData, vtkTypeBool);
+  vtkGetMacro(InterpolatePointData, vtkTypeBool);
+  vtkBooleanMacro(InterpolatePointData, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Points on the boundary that have exactly the same coordinates are one vertex: a soup of
+   * triangles, as STL and OBJ files hold it, and the sides of a seam of texture coordinates are
+   * connected there and stay together. A vertex is fixed if one of its points is, and takes
+   * other point arrays that the properties choose from the first of its points. The output keeps
+   * all points, their ids and their data. Points inside a surface are not compared, so that closed
+   * surfaces that touch stay apart. Default: on.
+   */
+  vtkSetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkGetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkBooleanMacro(WeldCoincidentPoints, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
    * triangles. Like all metrics below, these are valid after Update(). They are -1 or 0 when the
    * output is out of date, and those of the last block if the input is composite.
@@ -531,6 +561,8 @@ protected:
   vtkTypeBool PreserveVolume = 0;
   vtkTypeBool Twicing = 0;
   vtkTypeBool ComputeNormals = 1;
+  vtkTypeBool InterpolatePointData = 1;
+  vtkTypeBool WeldCoincidentPoints = 1;
 
   double MeanRadiusRatio = -1;
   double MinimumRadiusRatio = -1;

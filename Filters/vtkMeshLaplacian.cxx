@@ -63,6 +63,10 @@ int vtkMeshLaplacian::RequestData(
     [&]
     {
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
+      if (this->WeldCoincidentPoints)
+      {
+        lmo::WeldCoincidentPoints(surface);
+      }
       const lmo::MeshQuantities mesh(
         std::move(surface.points), std::move(surface.triangles), std::move(surface.polygons));
       output->ShallowCopy(input);
@@ -75,6 +79,7 @@ void vtkMeshLaplacian::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
+  os << indent << "WeldCoincidentPoints: " << this->WeldCoincidentPoints << "\n";
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

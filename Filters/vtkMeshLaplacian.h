@@ -51,6 +51,18 @@ public:
   vtkBooleanMacro(RobustLaplacian, vtkTypeBool);
   ///@}
 
+  ///@{
+  /**
+   * Points on the boundary that have exactly the same coordinates are one vertex: a soup of
+   * triangles, as STL and OBJ files hold it, and the sides of a seam of texture coordinates are
+   * connected there. The output keeps all points, their ids and their data. Points inside a surface
+   * are not compared, so that closed surfaces that touch stay apart. Default: on.
+   */
+  vtkSetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkGetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkBooleanMacro(WeldCoincidentPoints, vtkTypeBool);
+  ///@}
+
 protected:
   vtkMeshLaplacian() = default;
   ~vtkMeshLaplacian() override = default;
@@ -59,6 +71,7 @@ protected:
 
 private:
   vtkTypeBool RobustLaplacian = 0;
+  vtkTypeBool WeldCoincidentPoints = 1;
 
   vtkMeshLaplacian(const vtkMeshLaplacian&) = delete;
   void operator=(const vtkMeshLaplacian&) = delete;

@@ -28,7 +28,11 @@ int vtkTriangleRadiusRatio::RequestData(
   return lmo::RunFilter(this, input, output,
     [&]
     {
-      const lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+      lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+      if (this->WeldCoincidentPoints)
+      {
+        lmo::WeldCoincidentPoints(mesh);
+      }
       const lmo::MeshQuality quality =
         lmo::MeasureQuality(mesh.points, mesh.triangles, mesh.polygons);
       this->MeanRadiusRatio = quality.mean;
@@ -43,6 +47,7 @@ int vtkTriangleRadiusRatio::RequestData(
 void vtkTriangleRadiusRatio::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "WeldCoincidentPoints: " << this->WeldCoincidentPoints << "\n";
   os << indent << "MeanRadiusRatio: " << this->MeanRadiusRatio << "\n";
   os << indent << "MinimumRadiusRatio: " << this->MinimumRadiusRatio << "\n";
 }

@@ -42,6 +42,18 @@ public:
   vtkGetMacro(MinimumRadiusRatio, double);
   ///@}
 
+  ///@{
+  /**
+   * Points on the boundary that have exactly the same coordinates are one vertex: a soup of
+   * triangles, as STL and OBJ files hold it, and the sides of a seam of texture coordinates are
+   * connected there. The output keeps all points, their ids and their data. Points inside a surface
+   * are not compared, so that closed surfaces that touch stay apart. Default: on.
+   */
+  vtkSetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkGetMacro(WeldCoincidentPoints, vtkTypeBool);
+  vtkBooleanMacro(WeldCoincidentPoints, vtkTypeBool);
+  ///@}
+
 protected:
   vtkTriangleRadiusRatio() = default;
   ~vtkTriangleRadiusRatio() override = default;
@@ -50,6 +62,7 @@ protected:
 
   double MeanRadiusRatio = -1;
   double MinimumRadiusRatio = -1;
+  vtkTypeBool WeldCoincidentPoints = 1;
 
 private:
   vtkTriangleRadiusRatio(const vtkTriangleRadiusRatio&) = delete;

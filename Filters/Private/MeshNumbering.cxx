@@ -16,6 +16,23 @@ MeshNumbering::MeshNumbering(
 {
 }
 
+void MeshNumbering::Merge(const std::vector<Index>& firstPoints)
+{
+  this->Vertices.resize(this->NumberOfPoints);
+  for (Index point = 0; point < this->NumberOfPoints; ++point)
+  {
+    if (firstPoints[point] == point)
+    {
+      this->Vertices[point] = static_cast<Index>(this->FirstPoints.size());
+      this->FirstPoints.push_back(point);
+    }
+    else
+    {
+      this->Vertices[point] = this->Vertices[firstPoints[point]];
+    }
+  }
+}
+
 void MeshNumbering::Renumber(const MeshOrder& order)
 {
   std::vector<Index> newNumbers(order.vertices.size());
@@ -39,6 +56,20 @@ void MeshNumbering::Renumber(const MeshOrder& order)
   this->Vertices = std::move(vertices);
   this->FirstPoints = std::move(firstPoints);
   this->Cells.cells = std::move(cells);
+}
+
+Vector MeshNumbering::AnyOfPoints(const Vector& pointFlags) const
+{
+  Vector flags = Vector::Zero(
+    this->IsIdentity() ? this->NumberOfPoints : static_cast<vtkIdType>(this->FirstPoints.size()));
+  for (Index point = 0; point < this->NumberOfPoints; ++point)
+  {
+    if (pointFlags[point] != 0)
+    {
+      flags[this->VertexOf(point)] = 1;
+    }
+  }
+  return flags;
 }
 
 Vector MeshNumbering::ToTriangles(const Vector& cellValues) const

@@ -32,6 +32,10 @@ public:
   /// Every point is the vertex of the same number.
   MeshNumbering(vtkIdType points, Index triangles, vtkIdType cells, TriangleCells triangleCells);
 
+  /// Makes points one vertex; of a numbering where every point is a vertex.
+  /// \param firstPoints for each point the lowest point that is the same vertex
+  void Merge(const std::vector<Index>& firstPoints);
+
   /// Gives vertices and triangles new numbers.
   void Renumber(const MeshOrder& order);
 
@@ -41,7 +45,14 @@ public:
   /// True if every point is the vertex of the same number.
   bool IsIdentity() const { return this->Vertices.empty(); }
 
+  /// True if several points are one vertex.
+  bool HasMergedPoints() const { return this->FirstPoints.size() < this->Vertices.size(); }
+
   Index VertexOf(Index point) const { return this->IsIdentity() ? point : this->Vertices[point]; }
+  Index FirstPointOf(Index vertex) const
+  {
+    return this->IsIdentity() ? vertex : this->FirstPoints[vertex];
+  }
   vtkIdType CellOf(Index triangle) const { return this->Cells(triangle); }
 
   /// Rows at vertices from rows at points; a vertex has that of the first of its points.
@@ -50,6 +61,10 @@ public:
   {
     return ToNewOrder(this->FirstPoints, std::move(pointValues));
   }
+
+  /// Flags of vertices from flags of points: 1 if one of the vertex's points has a value other than
+  /// 0, else 0.
+  Vector AnyOfPoints(const Vector& pointFlags) const;
 
   /// Rows at points from rows at vertices.
   template <typename Values>

@@ -115,7 +115,7 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
   }
   if ((array = this->FindArray(FIXED_POINT_ARRAY, input)))
   {
-    arrays.fixedPoints = lmo::ReadScalars(array, numbering);
+    arrays.fixedPoints = lmo::ReadFlags(array, numbering);
   }
   const bool hasFeatures = filter.Mode == OPTIMIZE_WITHIN_DEVIATION || filter.FeatureConstraints;
   if (hasFeatures && (array = this->FindArray(FEATURE_ARRAY, input)))
@@ -127,13 +127,13 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
   }
   if (selection)
   {
-    lmo::Vector isFixed = numbering.ToVertices(lmo::SelectedPoints(input, selection));
+    lmo::Vector isFixed = numbering.AnyOfPoints(lmo::SelectedPoints(input, selection));
     if (filter.SelectionUse == ONLY_SELECTED_POINTS_MOVE)
     {
       isFixed = 1 - isFixed.array();
     }
-    arrays.fixedPoints = arrays.fixedPoints ? lmo::Vector(arrays.fixedPoints->cwiseAbs() + isFixed)
-                                            : std::move(isFixed);
+    arrays.fixedPoints =
+      arrays.fixedPoints ? lmo::Vector(*arrays.fixedPoints + isFixed) : std::move(isFixed);
   }
   return arrays;
 }

@@ -41,7 +41,8 @@ std::unique_ptr<lmo::ProgressMonitor> vtkLaplacianMeshOptimizer::Session::MakeMo
 
 bool vtkLaplacianMeshOptimizer::Session::IsNew(vtkPolyData* input) const
 {
-  return !this->Optimizer || this->Input != input || this->InputTime != input->GetMTime();
+  return !this->Optimizer || this->Input != input || this->InputTime != input->GetMTime() ||
+         this->IsWelded != (this->Filter->WeldCoincidentPoints != 0);
 }
 
 void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
@@ -49,6 +50,7 @@ void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
 {
   this->Input = input;
   this->InputTime = input->GetMTime();
+  this->IsWelded = this->Filter->WeldCoincidentPoints != 0;
   this->Numbering = std::move(numbering);
   this->Optimizer = std::move(optimizer);
 }
@@ -59,6 +61,10 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
   {
     this->Optimizer.reset(); // its memory serves for the next one
     lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+    if (this->Filter->WeldCoincidentPoints)
+    {
+      lmo::WeldCoincidentPoints(mesh);
+    }
     lmo::RenumberIfScattered(mesh);
     this->SetOptimizer(input, std::move(mesh.numbering),
       std::make_unique<lmo::Optimizer>(

@@ -14,6 +14,7 @@ VTK_ABI_NAMESPACE_BEGIN
 
 class vtkDataArray;
 class vtkFieldData;
+class vtkPointData;
 class vtkPolyData;
 class vtkSelection;
 
@@ -71,11 +72,16 @@ private:
 
   void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
+  /// The input's point data, where they are on the surface now.
+  void WritePointData(
+    const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const;
+
   void WriteMetrics(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
 
   lmo::MeshNumbering Numbering;
   vtkPolyData* Input = nullptr; ///< to be compared only
   vtkMTimeType InputTime = 0;
+  bool IsWelded = false;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

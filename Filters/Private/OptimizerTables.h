@@ -88,6 +88,8 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("PreserveVolume", filter.PreserveVolume, Switch{}, options.preserveVolume);
     row("Twicing", filter.Twicing, Switch{}, options.twicing);
     row("ComputeNormals", filter.ComputeNormals, Switch{});
+    row("InterpolatePointData", filter.InterpolatePointData, Switch{});
+    row("WeldCoincidentPoints", filter.WeldCoincidentPoints, Switch{});
   }
 
   /// Calls row() with the name of each metric, the filter's value and that of a result, and whether

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointDataInterpolation.h"
 
+#include "CellReading.h"
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Mesh/SurfaceWalk.h"
@@ -17,15 +18,84 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <numeric>
+#include <unordered_map>
 #include <vector>
 
 namespace lmo
 {
 namespace
 {
+bool IsInterpolated(vtkAbstractArray* array)
+{
+  const int type = array->GetDataType();
+  const int components = array->GetNumberOfComponents();
+  const bool isColour = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+  return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
+}
+
+bool HaveSameValues(vtkDataArray* array, Index i, Index j)
+{
+  bool isSame = true;
+  for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+  {
+    isSame = isSame && array->GetComponent(i, c) == array->GetComponent(j, c);
+  }
+  return isSame;
+}
+
+/// For each point the first point of the same vertex that is on the same side of all seams.
+std::vector<Index> FirstPointsOfSides(vtkPointData* data, const MeshNumbering& numbering)
+{
+  const auto size = static_cast<Index>(numbering.GetNumberOfPoints());
+  std::vector<vtkDataArray*> arrays;
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    if (IsInterpolated(array) && array != data->GetNormals())
+    {
+      arrays.push_back(vtkDataArray::FastDownCast(array));
+    }
+  }
+  std::vector<Index> first(size);
+  std::iota(first.begin(), first.end(), Index(0));
+  std::unordered_map<Index, std::vector<Index>> sides; // the first points of each vertex
+  for (Index i = 0; i < size && numbering.HasMergedPoints(); ++i)
+  {
+    std::vector<Index>& candidates = sides[numbering.VertexOf(i)];
+    const auto same = std::find_if(candidates.begin(), candidates.end(),
+      [&](Index j)
+      {
+        return std::all_of(arrays.begin(), arrays.end(),
+          [&](vtkDataArray* array) { return HaveSameValues(array, i, j); });
+      });
+    first[i] = same == candidates.end() ? i : *same;
+    if (same == candidates.end())
+    {
+      candidates.push_back(i);
+    }
+  }
+  return first;
+}
+
+/// The input's triangles, connected where there is no seam.
+Triangles TrianglesOfSides(vtkPolyData* input, const std::vector<Index>& firstPoints)
+{
+  Triangles triangles = ReadTriangles(input).triangles;
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        triangles(t, k) = firstPoints[triangles(t, k)];
+      }
+    });
+  return triangles;
+}
+
 /// Where each output point lies on the input; no triangle for points that did not move.
-std::vector<SurfaceLocation> Locate(
-  vtkPoints* points, const Triangles& triangles, const Points& positions)
+std::vector<SurfaceLocation> Locate(vtkPoints* points, const std::vector<Index>& firstPoints,
+  const Triangles& triangles, const Points& positions)
 {
   const auto size = static_cast<Index>(positions.rows());
   Points V(size, 3);
@@ -37,7 +107,8 @@ std::vector<SurfaceLocation> Locate(
     {
       if (positions.row(i) != V.row(i))
       {
-        locations[i] = WalkToClosestPoint(V, triangles, cornersAt, i, positions.row(i));
+        locations[i] =
+          WalkToClosestPoint(V, triangles, cornersAt, firstPoints[i], positions.row(i));
       }
     });
   return locations;
@@ -96,14 +167,6 @@ struct Interpolate
   }
 };
 
-bool IsInterpolated(vtkAbstractArray* array)
-{
-  const int type = array->GetDataType();
-  const int components = array->GetNumberOfComponents();
-  const bool isColour = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
-  return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
-}
-
 bool StaysWithPoint(vtkPointData* data, vtkAbstractArray* array)
 {
   const char* name = array->GetName() ? array->GetName() : "";
@@ -152,7 +215,7 @@ vtkSmartPointer<vtkAbstractArray> Transfer(vtkAbstractArray* array,
 }
 
 vtkSmartPointer<vtkPointData> InterpolatePointData(
-  vtkPolyData* input, const Triangles& triangles, const Points& positions)
+  vtkPolyData* input, const MeshNumbering& numbering, const Points& positions)
 {
   vtkPointData* data = input->GetPointData();
   auto result = vtkSmartPointer<vtkPointData>::New();
@@ -161,7 +224,10 @@ vtkSmartPointer<vtkPointData> InterpolatePointData(
     result->ShallowCopy(data);
     return result;
   }
-  const std::vector<SurfaceLocation> locations = Locate(input->GetPoints(), triangles, positions);
+  const std::vector<Index> firstPoints = FirstPointsOfSides(data, numbering);
+  const Triangles triangles = TrianglesOfSides(input, firstPoints);
+  const std::vector<SurfaceLocation> locations =
+    Locate(input->GetPoints(), firstPoints, triangles, positions);
   const vtkSmartPointer<vtkIdList> nearest = NearestPoints(locations, triangles);
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {

@@ -3,7 +3,7 @@
 #ifndef PointDataInterpolation_h
 #define PointDataInterpolation_h
 
-#include "Core/Base/Types.h"
+#include "MeshNumbering.h"
 
 #include "vtkSmartPointer.h"
 
@@ -19,11 +19,12 @@ namespace lmo
 /// Floating-point arrays and colours (three or four unsigned chars) are interpolated by barycentric
 /// coordinates and stay within the range of their corners' values; the active normals are given
 /// unit length again. Other arrays take the values of the nearest corner. Global, pedigree and
-/// original ids and the ghost flags stay with the point.
-/// \param triangles of the input, by its point ids
+/// original ids and the ghost flags stay with the point. Points that are one vertex belong to
+/// different sides of a seam if their interpolated arrays, without normals, differ: then each takes
+/// the values of its own side.
 /// \param positions of the output, a row per point
 vtkSmartPointer<vtkPointData> InterpolatePointData(
-  vtkPolyData* input, const Triangles& triangles, const Points& positions);
+  vtkPolyData* input, const MeshNumbering& numbering, const Points& positions);
 }
 
 #endif

@@ -3,6 +3,7 @@
 #include "PolyDataConversion.h"
 
 #include "CellReading.h"
+#include "CoincidentPoints.h"
 #include "Core/Base/Threading.h"
 #include "Core/Operators/Weights.h"
 #include "InputFaults.h"
@@ -154,6 +155,25 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
   return mesh;
 }
 
+void WeldCoincidentPoints(SurfaceMesh& mesh)
+{
+  const std::vector<Index> firstPoints = FindCoincidentBoundaryPoints(mesh.points, mesh.triangles);
+  if (firstPoints.empty())
+  {
+    return;
+  }
+  mesh.numbering.Merge(firstPoints);
+  mesh.points = mesh.numbering.ToVertices(std::move(mesh.points));
+  ParallelFor(static_cast<Index>(mesh.triangles.rows()),
+    [&](Index t)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        mesh.triangles(t, k) = mesh.numbering.VertexOf(mesh.triangles(t, k));
+      }
+    });
+}
+
 void RenumberIfScattered(SurfaceMesh& mesh)
 {
   if (IsScattered(mesh.triangles))
@@ -180,6 +200,11 @@ void CheckRange(const Points& positions, const MeshNumbering& numbering)
 Vector ReadScalars(vtkDataArray* array, const MeshNumbering& numbering)
 {
   return numbering.ToVertices(ReadArray<Vector>(array, numbering.GetNumberOfPoints()));
+}
+
+Vector ReadFlags(vtkDataArray* array, const MeshNumbering& numbering)
+{
+  return numbering.AnyOfPoints(ReadArray<Vector>(array, numbering.GetNumberOfPoints()));
 }
 
 Vector ReadRegions(vtkDataArray* array, const MeshNumbering& numbering)

@@ -23,6 +23,9 @@ struct SurfaceMesh
 /// and point ids out of range.
 SurfaceMesh ReadMesh(vtkPolyData* input);
 
+/// Makes points on the boundary that have the same coordinates one vertex.
+void WeldCoincidentPoints(SurfaceMesh& mesh);
+
 /// Numbers vertices and triangles so that neighbours lie close together in memory, if they do not.
 void RenumberIfScattered(SurfaceMesh& mesh);
 
@@ -32,6 +35,9 @@ void CheckRange(const Points& positions, const MeshNumbering& numbering);
 /// The values of a point array at the vertices.
 /// \throw InputError if the array has not one value per point, or one that is not finite.
 Vector ReadScalars(vtkDataArray* array, const MeshNumbering& numbering);
+
+/// As ReadScalars(), but 1 if one of the vertex's points has a value other than 0, else 0.
+Vector ReadFlags(vtkDataArray* array, const MeshNumbering& numbering);
 
 /// As ReadScalars(); negative values are errors too.
 Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering);

@@ -108,13 +108,13 @@ namespace
 struct ReplaceTuples
 {
   template <typename Array>
-  void operator()(Array* array, const Points& normals, const MeshNumbering& numbering) const
+  void operator()(Array* array, const Points& normals) const
   {
     auto tuples = vtk::DataArrayTupleRange<3>(array);
-    ParallelFor(static_cast<Index>(numbering.GetNumberOfPoints()),
+    ParallelFor(static_cast<Index>(normals.rows()),
       [&](Index point)
       {
-        const Vector3 normal = normals.row(numbering.VertexOf(point));
+        const Vector3 normal = normals.row(point);
         for (int c = 0; c < 3 && normal.squaredNorm() > 0; ++c)
         {
           tuples[point][c] = static_cast<vtk::GetAPIType<Array>>(normal[c]);
@@ -124,10 +124,9 @@ struct ReplaceTuples
 };
 }
 
-vtkSmartPointer<vtkDataArray> ReplaceNormals(
-  vtkDataArray* input, const Points& normals, const MeshNumbering& numbering)
+vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
 {
-  const vtkIdType points = numbering.GetNumberOfPoints();
+  const vtkIdType points = normals.rows();
   if (input->GetNumberOfTuples() != points || input->GetNumberOfComponents() != 3)
   {
     std::ostringstream text;
@@ -139,9 +138,9 @@ vtkSmartPointer<vtkDataArray> ReplaceNormals(
   auto result = vtk::TakeSmartPointer(input->NewInstance());
   result->DeepCopy(input);
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-        result.Get(), ReplaceTuples{}, normals, numbering))
+        result.Get(), ReplaceTuples{}, normals))
   {
-    ReplaceTuples{}(result.Get(), normals, numbering);
+    ReplaceTuples{}(result.Get(), normals);
   }
   return result;
 }

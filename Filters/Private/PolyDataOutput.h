@@ -35,10 +35,9 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
   vtkPolyData* output);
 
-/// Copy of a normals array, in its type, with the normals at the vertices that are not 0.
-/// \throw InputError if the array has not three values per point.
-vtkSmartPointer<vtkDataArray> ReplaceNormals(
-  vtkDataArray* input, const Points& normals, const MeshNumbering& numbering);
+/// Copy of a normals array, in its type, with the rows of \a normals, one per point, that are not
+/// 0. \throw InputError if the array has not three values per point.
+vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
 }
 
 #endif

@@ -42,7 +42,7 @@ Values ToNewOrder(const std::vector<Index>& oldNumbers, Values values)
   {
     return values;
   }
-  Values result(values.rows(), values.cols());
+  Values result(static_cast<Eigen::Index>(oldNumbers.size()), values.cols());
   ParallelFor(static_cast<Index>(oldNumbers.size()),
     [&](Index i) { result.row(i) = values.row(oldNumbers[i]); });
   return result;
