@@ -100,23 +100,31 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, output);
 }
 
+bool vtkLaplacianMeshOptimizer::Session::InterpolatesPointData() const
+{
+  const int mode = this->Filter->Mode;
+  return this->Filter->InterpolatePointData &&
+         (mode == OPTIMIZE_WITHIN_DEVIATION || mode == OPTIMIZE_TRIANGLES);
+}
+
 void vtkLaplacianMeshOptimizer::Session::WritePointData(
   const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const
 {
-  const int mode = this->Filter->Mode;
-  const bool slides = mode == OPTIMIZE_WITHIN_DEVIATION || mode == OPTIMIZE_TRIANGLES;
-  if (slides && this->Filter->InterpolatePointData && input->GetPoints())
+  vtkDataArray* normals = pointData->GetNormals();
+  if (this->Filter->ComputeNormals && normals)
   {
-    pointData->ShallowCopy(lmo::InterpolatePointData(
-      input, this->Numbering, this->Numbering.ToPoints(result.positions)));
+    lmo::CheckNormals(normals, input->GetNumberOfPoints());
+  }
+  const auto positions = [&] { return this->Numbering.ToPoints(result.positions); };
+  if (this->InterpolatesPointData() && input->GetPoints())
+  {
+    pointData->ShallowCopy(lmo::InterpolatePointData(input, this->Numbering, positions()));
   }
   else if (result.normals.rows() > 0)
   {
-    vtkDataArray* normals = pointData->GetNormals();
     pointData->SetNormals(lmo::ReplaceNormals(
       normals, this->Numbering.HasMergedPoints()
-                 ? lmo::NormalsOfMergedPoints(
-                     input, this->Numbering.ToPoints(result.positions), this->Numbering)
+                 ? lmo::NormalsOfMergedPoints(input, positions(), this->Numbering)
                  : this->Numbering.ToPoints(result.normals)));
   }
 }

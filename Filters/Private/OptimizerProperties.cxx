@@ -56,7 +56,8 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Session::ReadOptions(vtkPolyDat
       ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...);
     });
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
-  options.computeNormals = this->Filter->ComputeNormals && hasNormals;
+  options.computeNormals =
+    this->Filter->ComputeNormals && hasNormals && !this->InterpolatesPointData();
   options.roundToFloat = input->GetPoints() && input->GetPoints()->GetDataType() == VTK_FLOAT;
   return options;
 }

@@ -72,7 +72,10 @@ private:
 
   void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
 
-  /// The input's point data, where they are on the surface now.
+  /// True if points take the point data of their new places on the input.
+  bool InterpolatesPointData() const;
+
+  /// Sets the input's point data as they are at the new positions.
   void WritePointData(
     const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const;
 

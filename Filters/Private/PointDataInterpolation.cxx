@@ -238,7 +238,7 @@ vtkSmartPointer<vtkPointData> InterpolatePointData(
     {
       values = Transfer(array, locations, triangles, nearest);
     }
-    if (attribute == vtkDataSetAttributes::NORMALS)
+    if (attribute == vtkDataSetAttributes::NORMALS && values != array && IsInterpolated(array))
     {
       Normalise(vtkDataArray::FastDownCast(values), locations);
     }

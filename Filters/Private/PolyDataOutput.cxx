@@ -124,17 +124,21 @@ struct ReplaceTuples
 };
 }
 
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
+void CheckNormals(vtkDataArray* normals, vtkIdType points)
 {
-  const vtkIdType points = normals.rows();
-  if (input->GetNumberOfTuples() != points || input->GetNumberOfComponents() != 3)
+  if (normals->GetNumberOfTuples() != points || normals->GetNumberOfComponents() != 3)
   {
     std::ostringstream text;
-    text << "The point array '" << (input->GetName() ? input->GetName() : "") << "' of normals has "
-         << input->GetNumberOfTuples() << " tuples of " << input->GetNumberOfComponents()
-         << " components; " << points << " tuples of 3 are needed. Repair or remove them.";
+    text << "The point array '" << (normals->GetName() ? normals->GetName() : "")
+         << "' of normals has " << normals->GetNumberOfTuples() << " tuples of "
+         << normals->GetNumberOfComponents() << " components; " << points
+         << " tuples of 3 are needed. Repair or remove them.";
     throw InputError(text.str());
   }
+}
+
+vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
+{
   auto result = vtk::TakeSmartPointer(input->NewInstance());
   result->DeepCopy(input);
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(

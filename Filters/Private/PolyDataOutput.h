@@ -35,8 +35,11 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
   vtkPolyData* output);
 
-/// Copy of a normals array, in its type, with the rows of \a normals, one per point, that are not
-/// 0. \throw InputError if the array has not three values per point.
+/// \throw InputError if a normals array has not three values per point.
+void CheckNormals(vtkDataArray* normals, vtkIdType points);
+
+/// Copy of a normals array in its type. The rows of \a normals, one per point, replace its tuples
+/// unless they are 0.
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
 }
 
