@@ -110,7 +110,8 @@ public:
   {
     FIXED = 0,
     SLIDING = 1,
-    FREE = 2
+    FREE = 2,
+    CURVE = 3
   };
 
   enum SelectionUseType
@@ -255,7 +256,10 @@ public:
    * What the points on edges of exactly one triangle do. FIXED (0): they do not move and have no
    * Laplacian row; neighbouring pieces of a cut surface still match. SLIDING (1): they move along
    * the boundary curve, its ends, junctions and turns above 60 degrees stay. FREE (2): as inner
-   * points. Default: FIXED.
+   * points. CURVE (3), in the modes that smooth: the boundary is smoothed as a curve of its own, in
+   * all directions and before the surface, with the same weights; a boundary in a plane stays in
+   * it, and ends, junctions and turns above 60 degrees stay. In the other modes CURVE acts as
+   * SLIDING. Default: FIXED.
    */
   vtkSetMacro(BoundaryCondition, int);
   vtkGetMacro(BoundaryCondition, int);
@@ -422,6 +426,29 @@ public:
 
   ///@{
   /**
+   * For SMOOTH: smooth feature lines as curves of their own, in all directions and before the
+   * surface, with the same weights: lines that FeatureConstraints finds, which this switches on,
+   * and edges of three and more polygons, as between labels. Their ends, junctions and turns above
+   * 60 degrees stay. Off: points slide along the lines, whose shape stays. Default: off.
+   */
+  vtkSetMacro(FeatureSmoothing, vtkTypeBool);
+  vtkGetMacro(FeatureSmoothing, vtkTypeBool);
+  vtkBooleanMacro(FeatureSmoothing, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Which coordinates may change: for each of x, y and z 1 if it may, 0 if it stays exactly as it
+   * is. Height fields keep x and y with (0, 0, 1), a part of a symmetric body its plane with (1, 1,
+   * 0). Points on feature lines and sliding boundaries move only where their line keeps these
+   * coordinates. Default: (1, 1, 1).
+   */
+  vtkSetVector3Macro(FreeAxes, int);
+  vtkGetVector3Macro(FreeAxes, int);
+  ///@}
+
+  ///@{
+  /**
    * Recompute the point normals if the input has them: area-weighted, in the direction in which the
    * triangles are counter-clockwise. Off: the input's normals pass through. Default: on.
    */
@@ -560,6 +587,8 @@ protected:
   double DetailWeight = 0.3;
   vtkTypeBool PreserveVolume = 0;
   vtkTypeBool Twicing = 0;
+  vtkTypeBool FeatureSmoothing = 0;
+  int FreeAxes[3] = { 1, 1, 1 };
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool InterpolatePointData = 1;
   vtkTypeBool WeldCoincidentPoints = 1;

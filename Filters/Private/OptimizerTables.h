@@ -69,7 +69,7 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("TangentPlaneConstraints", filter.TangentPlaneConstraints, Switch{},
       options.tangentPlaneConstraints);
     row("TangentPlaneWeight", filter.TangentPlaneWeight, weight, options.tangentPlaneWeight);
-    row("BoundaryCondition", filter.BoundaryCondition, Choices{ FREE }, options.boundaryCondition);
+    row("BoundaryCondition", filter.BoundaryCondition, Choices{ CURVE }, options.boundaryCondition);
     row("SelectionUse", filter.SelectionUse, Choices{ ONLY_SELECTED_POINTS_MOVE });
     row("SolverType", filter.SolverType, Choices{ ITERATIVE }, options.solverType);
     row("Tolerance", filter.Tolerance, fraction, options.solver.tolerance);
@@ -87,6 +87,10 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("DetailWeight", filter.DetailWeight, positiveWeight, options.guide.detailWeight);
     row("PreserveVolume", filter.PreserveVolume, Switch{}, options.preserveVolume);
     row("Twicing", filter.Twicing, Switch{}, options.twicing);
+    row("FeatureSmoothing", filter.FeatureSmoothing, Switch{}, options.featureSmoothing);
+    row("FreeAxes", filter.FreeAxes[0], Switch{}, options.freeAxes[0]);
+    row("FreeAxes", filter.FreeAxes[1], Switch{}, options.freeAxes[1]);
+    row("FreeAxes", filter.FreeAxes[2], Switch{}, options.freeAxes[2]);
     row("ComputeNormals", filter.ComputeNormals, Switch{});
     row("InterpolatePointData", filter.InterpolatePointData, Switch{});
     row("WeldCoincidentPoints", filter.WeldCoincidentPoints, Switch{});

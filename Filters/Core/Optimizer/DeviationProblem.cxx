@@ -87,6 +87,7 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
       target->row(i) = laplacian.dot(normal) * normal - laplacian;
     });
   problem.laplacian.target = std::move(target);
+  motion.RestrictAxes();
 }
 
 void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,

@@ -20,10 +20,10 @@ constexpr double RoughTolerance = 1e-3; ///< of solutions that only lead to the 
 Solution Follow(const MeshQuantities& mesh, const RunPlan& plan, const Points& normals,
   const Points& positions, const SolverOptions& solver, ProgressMonitor& monitor)
 {
-  const Points& V = mesh.GetPoints();
-  return FollowNormals(V, mesh.GetTriangles(), mesh.GetTopology(), normals,
-    plan.problem.laplacian.L, plan.problem.motion, plan.options.guide.detailWeight, positions - V,
-    solver, monitor);
+  const Points& start = StartOf(mesh, plan);
+  return FollowNormals(start, mesh.GetTriangles(), mesh.GetTopology(), normals,
+    plan.problem.laplacian.L, plan.problem.motion, plan.options.guide.detailWeight,
+    positions - start, solver, monitor);
 }
 }
 
@@ -34,6 +34,7 @@ OptimizerOptions FirstSmoothing(const OptimizerOptions& options)
   smoothing.positionWeighting = PositionWeighting::CONSTANT;
   smoothing.scaleFactor = FirstScaleFactor;
   smoothing.boundaryCondition = options.boundaryCondition;
+  smoothing.freeAxes = options.freeAxes;
   smoothing.solver = options.solver;
   return smoothing;
 }
@@ -65,7 +66,7 @@ ModeResult SmoothGuided(const MeshQuantities& mesh, RunPlan& plan, ProgressMonit
     const Solution solution = Follow(mesh, plan, normals, result.positions, solver, following);
     result.relativeResidual = 0; // the last one counts
     AddSolution(solution, solver.tolerance, result);
-    result.positions = mesh.GetPoints() + solution.displacement;
+    result.positions = StartOf(mesh, plan) + solution.displacement;
   }
   ProjectOntoLines(mesh, plan, result.positions);
   if (plan.options.preserveVolume)

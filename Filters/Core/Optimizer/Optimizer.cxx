@@ -5,6 +5,7 @@
 #include "Core/Base/Rounding.h"
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Optimizer/CurveSmoothing.h"
 #include "Core/Optimizer/DeviationOptimizer.h"
 #include "Core/Optimizer/GuidedSchedule.h"
 #include "Core/Optimizer/ProblemSetup.h"
@@ -32,14 +33,6 @@ void SetDisplacements(const Points& V, const OptimizerOptions& options, Optimize
     });
 }
 
-Vector ClassesOf(const FeatureLines& lines)
-{
-  using Classes = Eigen::Matrix<unsigned char, Eigen::Dynamic, 1>;
-  return Eigen::Map<const Classes>(
-    lines.pointClass.data(), static_cast<Eigen::Index>(lines.pointClass.size()))
-    .cast<double>();
-}
-
 /// Adds to a mode's result what all modes return.
 OptimizerResult Complete(
   const CotangentQuantities& quantities, const RunPlan& plan, ModeResult modeResult)
@@ -51,10 +44,7 @@ OptimizerResult Complete(
   static_cast<ModeResult&>(result) = std::move(modeResult);
   SetDisplacements(V, plan.options, result);
   result.meanCurvatures = quantities.GetMeanCurvatures();
-  if (plan.hasFeatures)
-  {
-    result.featureClass = ClassesOf(*plan.lines);
-  }
+  result.featureClass = plan.featureClass;
   if (plan.options.computeNormals)
   {
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());
@@ -104,6 +94,7 @@ OptimizerResult Optimizer::Run(
   RunPlan plan = MakePlan(quantities, options, arrays, monitor);
   this->Weights = plan.weights;
   plan.solve = this->Solver;
+  SmoothCurves(this->Mesh, plan, monitor);
   ModeResult result;
   switch (options.mode)
   {

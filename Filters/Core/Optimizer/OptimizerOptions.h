@@ -42,7 +42,8 @@ enum class BoundaryCondition
 {
   FIXED,   ///< no motion, no Laplacian row
   SLIDING, ///< along the boundary curve, with a Laplacian row of the curve
-  FREE     ///< as inner vertices
+  FREE,    ///< as inner vertices
+  CURVE    ///< smoothed as a curve of its own where the mode smooths, otherwise SLIDING
 };
 
 /// Mode::OPTIMIZE_WITHIN_DEVIATION.
@@ -81,7 +82,9 @@ struct OptimizerOptions
   GuideOptions guide;
   bool featureConstraints = false;
   bool detectFeatures = true;
-  double featureAngle = 40; ///< degrees
+  double featureAngle = 40;           ///< degrees
+  bool featureSmoothing = false;      ///< feature lines are smoothed as curves of their own
+  Vector3 freeAxes = Vector3::Ones(); ///< 1 for each of x, y and z that may change, else 0
   bool preserveVolume = false;
   bool twicing = false;
   bool computeNormals = false; ///< fill OptimizerResult::normals

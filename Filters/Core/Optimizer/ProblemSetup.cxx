@@ -165,7 +165,8 @@ LaplacianType UsedLaplacian(const OptimizerOptions& options)
 bool HasFeatures(const OptimizerOptions& options)
 {
   return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION ||
-         (options.featureConstraints && options.mode <= Mode::SMOOTH);
+         (options.featureConstraints && options.mode <= Mode::SMOOTH) ||
+         (options.featureSmoothing && options.mode == Mode::SMOOTH);
 }
 
 /// The lines along which vertices slide: the boundary and features, as far as the options ask for
@@ -173,8 +174,9 @@ bool HasFeatures(const OptimizerOptions& options)
 std::optional<FeatureLines> SlidingLines(const MeshQuantities& mesh,
   const OptimizerOptions& options, const VertexArrays& arrays, bool hasFeatures)
 {
-  const bool hasBoundary =
-    options.boundaryCondition == BoundaryCondition::SLIDING && mesh.HasBoundary();
+  const bool hasBoundary = (options.boundaryCondition == BoundaryCondition::SLIDING ||
+                             options.boundaryCondition == BoundaryCondition::CURVE) &&
+                           mesh.HasBoundary();
   if (!hasFeatures && !hasBoundary)
   {
     return std::nullopt;
@@ -193,6 +195,14 @@ std::optional<FeatureLines> SlidingLines(const MeshQuantities& mesh,
   return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
 }
 
+Vector ClassesOf(const FeatureLines& lines)
+{
+  using Classes = Eigen::Matrix<unsigned char, Eigen::Dynamic, 1>;
+  return Eigen::Map<const Classes>(
+    lines.pointClass.data(), static_cast<Eigen::Index>(lines.pointClass.size()))
+    .cast<double>();
+}
+
 /// What each vertex may do.
 DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
   const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
@@ -209,9 +219,11 @@ DisplacementConstraints ChooseMotion(const MeshTopology& topology, const Optimiz
                           : slides ? DisplacementConstraints::ALONG_LINE
                                    : DisplacementConstraints::FREE;
     });
+  motion.freeAxes = options.freeAxes;
   if (lines)
   {
     motion.axes = lines->tangents;
+    motion.RestrictAxes();
   }
   return motion;
 }
@@ -300,8 +312,12 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
   RunPlan plan;
   plan.options = options;
   plan.weights = quantities.Prepare(type, options.mode == Mode::OPTIMIZE_TRIANGLES, monitor);
-  plan.hasFeatures = HasFeatures(options);
-  plan.lines = SlidingLines(mesh, problemOptions, arrays, plan.hasFeatures);
+  const bool hasFeatures = HasFeatures(options);
+  plan.lines = SlidingLines(mesh, problemOptions, arrays, hasFeatures);
+  if (hasFeatures)
+  {
+    plan.featureClass = ClassesOf(*plan.lines);
+  }
   if (options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION)
   {
     plan.problem =

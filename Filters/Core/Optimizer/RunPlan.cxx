@@ -16,12 +16,17 @@ void AddSolution(const Solution& solution, double tolerance, ModeResult& result)
   result.isConverged = result.relativeResidual <= tolerance;
 }
 
+const Points& StartOf(const MeshQuantities& mesh, const RunPlan& plan)
+{
+  return plan.start.rows() > 0 ? plan.start : mesh.GetPoints();
+}
+
 Points MoveVertices(const MeshQuantities& mesh, const RunPlan& plan, const Points& displacement)
 {
-  const Points& V = mesh.GetPoints();
-  Points positions(V.rows(), 3);
-  ParallelFor(static_cast<Index>(V.rows()),
-    [&](Index i) { positions.row(i) = V.row(i) + displacement.row(i); });
+  const Points& start = StartOf(mesh, plan);
+  Points positions(start.rows(), 3);
+  ParallelFor(static_cast<Index>(start.rows()),
+    [&](Index i) { positions.row(i) = start.row(i) + displacement.row(i); });
   ProjectOntoLines(mesh, plan, positions);
   return positions;
 }

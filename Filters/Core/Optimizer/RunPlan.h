@@ -21,9 +21,10 @@ struct RunPlan
 {
   OptimizerOptions options;
   std::shared_ptr<const CotangentWeights> weights; ///< those of L; null if it is L_u
-  bool hasFeatures = false;          ///< \a lines has feature lines, perhaps besides the boundary
+  Vector featureClass; ///< FeatureLines::Class of each vertex; no rows without features
   std::optional<FeatureLines> lines; ///< along which vertices slide
-  LeastSquaresProblem problem;       ///< the first one that the mode solves, with the constraints
+  Points start; ///< V with smoothed curves, which \a problem starts from; no rows if that is V
+  LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
 };
 
@@ -53,7 +54,10 @@ struct ModeResult
 /// Adds a solution to the result: its iterations, and its residual if that is the largest.
 void AddSolution(const Solution& solution, double tolerance, ModeResult& result);
 
-/// V + d, with the vertices on lines at the closest points of these.
+/// Where the displacements of the plan's problem start.
+const Points& StartOf(const MeshQuantities& mesh, const RunPlan& plan);
+
+/// The start + d, with the vertices on lines at the closest points of these.
 Points MoveVertices(const MeshQuantities& mesh, const RunPlan& plan, const Points& displacement);
 
 /// Moves vertices on lines to the closest points of these.

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Optimizer/CurveSmoothing.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace lmo
+{
+namespace
+{
+/// The vertices that move as parts of a curve.
+Mask CurveVertices(const MeshTopology& topology, const RunPlan& plan)
+{
+  const OptimizerOptions& options = plan.options;
+  const bool isSmoothing = options.mode == Mode::SMOOTH || options.mode == Mode::SMOOTH_GUIDED;
+  const bool hasCurves = options.boundaryCondition == BoundaryCondition::CURVE;
+  Mask isCurve(topology.vertices, 0);
+  for (Index i = 0; i < topology.vertices && isSmoothing && plan.lines; ++i)
+  {
+    const bool isOnLine = plan.lines->pointClass[i] == FeatureLines::EDGE &&
+                          plan.problem.motion.freedom[i] != DisplacementConstraints::FIXED;
+    isCurve[i] = isOnLine && (topology.isBoundary[i] ? hasCurves : options.featureSmoothing);
+  }
+  return isCurve;
+}
+
+/// The problem of the curves alone.
+LeastSquaresProblem SetUpCurves(const Points& V, const RunPlan& plan, const Mask& isCurve)
+{
+  const LeastSquaresProblem& surface = plan.problem;
+  LeastSquaresProblem problem;
+  problem.laplacian.L = surface.laplacian.L;
+  problem.laplacian.weights = Vector::Zero(surface.Size());
+  problem.laplacian.target = std::make_shared<const Points>(Points::Zero(surface.Size(), 3));
+  problem.position = surface.position;
+  problem.motion.freedom.assign(isCurve.size(), DisplacementConstraints::FIXED);
+  problem.motion.freeAxes = surface.motion.freeAxes;
+  std::vector<PolylineRow> rows;
+  ForEachLineVertex(*plan.lines,
+    [&](Index i, Index previous, Index next)
+    {
+      if (isCurve[i])
+      {
+        const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+        problem.motion.freedom[i] = DisplacementConstraints::FREE;
+        rows.push_back({ i, previous, next, surface.laplacian.weights[i], -laplacian });
+      }
+    });
+  problem.polylines = PolylineTerm(std::move(rows), surface.Size());
+  return problem;
+}
+
+/// Fixes the curves' vertices in the problem of the surface, whose c = f - L V becomes f - L start.
+void FixCurves(const Points& displacement, const Mask& isCurve, RunPlan& plan)
+{
+  LeastSquaresProblem& problem = plan.problem;
+  problem.laplacian.target = std::make_shared<const Points>(
+    *problem.laplacian.target - Apply(problem.laplacian.L, displacement));
+  for (std::size_t i = 0; i < isCurve.size(); ++i)
+  {
+    if (isCurve[i])
+    {
+      problem.motion.freedom[i] = DisplacementConstraints::FIXED;
+      plan.lines->pointClass[i] = FeatureLines::CORNER;
+    }
+  }
+  std::vector<PolylineRow> rows = std::move(problem.polylines.rows);
+  rows.erase(std::remove_if(rows.begin(), rows.end(),
+               [&](const PolylineRow& row) { return isCurve[row.vertex] != 0; }),
+    rows.end());
+  problem.polylines = PolylineTerm(std::move(rows), problem.Size());
+}
+}
+
+void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
+{
+  const Mask isCurve = CurveVertices(mesh.GetTopology(), plan);
+  const bool hasCurves = std::find(isCurve.begin(), isCurve.end(), 1) != isCurve.end();
+  if (!(mesh.GetSubdomain().Maximum(hasCurves) > 0))
+  {
+    return;
+  }
+  monitor.Begin("Smoothing lines");
+  const Points displacement = plan
+                                .solve(SetUpCurves(mesh.GetPoints(), plan, isCurve),
+                                  plan.options.solverType, plan.options.solver, monitor)
+                                .displacement;
+  plan.start = mesh.GetPoints() + displacement;
+  FixCurves(displacement, isCurve, plan);
+}
+}
