@@ -9,20 +9,34 @@ namespace lmo
 {
 namespace
 {
-/// The vertices that move as parts of a curve.
-Mask CurveVertices(const MeshTopology& topology, const RunPlan& plan)
+constexpr int StairEdges = 3; ///< on both sides of a vertex, over which a line's turn is seen
+
+/// The vertex \a edges further from vertex i over its neighbour j, or where the line ends before.
+Index Follow(const AdjacencyLists& lines, Index i, Index j, int edges)
 {
-  const OptimizerOptions& options = plan.options;
-  const bool isSmoothing = options.mode == Mode::SMOOTH || options.mode == Mode::SMOOTH_GUIDED;
-  const bool hasCurves = options.boundaryCondition == BoundaryCondition::CURVE;
-  Mask isCurve(topology.vertices, 0);
-  for (Index i = 0; i < topology.vertices && isSmoothing && plan.lines; ++i)
+  for (int edge = 1; edge < edges && lines.Size(j) == 2; ++edge)
   {
-    const bool isOnLine = plan.lines->pointClass[i] == FeatureLines::EDGE &&
-                          plan.problem.motion.freedom[i] != DisplacementConstraints::FIXED;
-    isCurve[i] = isOnLine && (topology.isBoundary[i] ? hasCurves : options.featureSmoothing);
+    const Index next = lines.Begin(j)[lines.Begin(j)[0] == i ? 1 : 0];
+    i = j;
+    j = next;
   }
-  return isCurve;
+  return j;
+}
+
+/// The vertices of curves that may move.
+Mask MovingVertices(const MeshTopology& topology, const RunPlan& plan)
+{
+  Mask moves(topology.vertices, 0);
+  if (plan.lines)
+  {
+    moves = VerticesOnCurves(topology, plan.options, *plan.lines);
+    for (Index i = 0; i < topology.vertices; ++i)
+    {
+      moves[i] = moves[i] && plan.lines->pointClass[i] == FeatureLines::EDGE &&
+                 plan.problem.motion.freedom[i] != DisplacementConstraints::FIXED;
+    }
+  }
+  return moves;
 }
 
 /// The problem of the curves alone.
@@ -73,9 +87,41 @@ void FixCurves(const Points& displacement, const Mask& isCurve, RunPlan& plan)
 }
 }
 
+Mask VerticesOnCurves(
+  const MeshTopology& topology, const OptimizerOptions& options, const FeatureLines& lines)
+{
+  const bool isSmoothing = options.mode == Mode::SMOOTH || options.mode == Mode::SMOOTH_GUIDED;
+  const bool hasCurves = options.boundaryCondition == BoundaryCondition::CURVE;
+  Mask isOnCurve(topology.vertices, 0);
+  for (Index i = 0; i < topology.vertices && isSmoothing; ++i)
+  {
+    isOnCurve[i] =
+      lines.lines->Size(i) == 2 && (topology.isBoundary[i] ? hasCurves : options.featureSmoothing);
+  }
+  return isOnCurve;
+}
+
+void SmoothStairs(const Points& V, const Mask& isOnCurve, FeatureLines& lines)
+{
+  for (Index i = 0; i < static_cast<Index>(isOnCurve.size()); ++i)
+  {
+    if (isOnCurve[i] && lines.pointClass[i] == FeatureLines::CORNER)
+    {
+      const Index* ends = lines.lines->Begin(i);
+      const Index previous = Follow(*lines.lines, i, ends[0], StairEdges);
+      const Index next = Follow(*lines.lines, i, ends[1], StairEdges);
+      if (IsSmoothTurn(V, previous, i, next))
+      {
+        lines.pointClass[i] = FeatureLines::EDGE;
+        lines.tangents.row(i) = (V.row(next) - V.row(previous)).stableNormalized();
+      }
+    }
+  }
+}
+
 void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
 {
-  const Mask isCurve = CurveVertices(mesh.GetTopology(), plan);
+  const Mask isCurve = MovingVertices(mesh.GetTopology(), plan);
   const bool hasCurves = std::find(isCurve.begin(), isCurve.end(), 1) != isCurve.end();
   if (!(mesh.GetSubdomain().Maximum(hasCurves) > 0))
   {

@@ -9,13 +9,20 @@
 
 namespace lmo
 {
-/// Smooths the lines that the options name (BoundaryCondition::CURVE, featureSmoothing) as curves
-/// of their own: minimises
-///   sum_i |w_i (l(d)_i + l(V)_i)|^2 + |W_p d|^2 with l(v)_i = (v_previous + v_next) / 2 - v_i
+/// Which vertices lie inside lines that the options let be smoothed as curves: the boundary by
+/// BoundaryCondition::CURVE, the other lines by featureSmoothing, in modes that smooth.
+Mask VerticesOnCurves(
+  const MeshTopology& topology, const OptimizerOptions& options, const FeatureLines& lines);
+
+/// Makes the corners of curves edges if the line turns by at most 60 degrees when it is seen over a
+/// few edges: stairs, as label maps have them, are no corners.
+void SmoothStairs(const Points& V, const Mask& isOnCurve, FeatureLines& lines);
+
+/// Smooths the lines of VerticesOnCurves() as curves of their own: minimises
+///   sum_i |w_i (l(d)_i + l(V)_i)|^2 + |W_p d|^2, l(v)_i = (v_previous + v_next) / 2 - v_i,
 /// over the vertices inside these lines, in all directions. Their ends, junctions and sharp turns
-/// stay. The surface is solved with these vertices fixed at their new places, RunPlan::start, so
-/// that a line is not drawn out of its plane by the surface. Does nothing in modes that do not
-/// smooth.
+/// stay. The surface is then solved with these vertices fixed at their new places, RunPlan::start:
+/// it does not draw a line out of its plane.
 /// \throw SolverError, Cancelled as Solve() does.
 void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor);
 }

@@ -7,6 +7,7 @@
 #include "Core/Mesh/FeatureDetection.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/Curvature.h"
+#include "Core/Optimizer/CurveSmoothing.h"
 #include "Core/Optimizer/DeviationProblem.h"
 #include "Core/Optimizer/GuidedSchedule.h"
 
@@ -192,7 +193,10 @@ std::optional<FeatureLines> SlidingLines(const MeshQuantities& mesh,
   {
     edges = MergeEdges(edges, topology.boundaryEdges);
   }
-  return ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+  FeatureLines lines =
+    ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+  SmoothStairs(mesh.GetPoints(), VerticesOnCurves(topology, options, lines), lines);
+  return lines;
 }
 
 Vector ClassesOf(const FeatureLines& lines)
