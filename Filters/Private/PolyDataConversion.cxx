@@ -172,6 +172,10 @@ void WeldCoincidentPoints(SurfaceMesh& mesh)
         mesh.triangles(t, k) = mesh.numbering.VertexOf(mesh.triangles(t, k));
       }
     });
+  for (Index& corner : mesh.polygons.corners.ids)
+  {
+    corner = mesh.numbering.VertexOf(corner);
+  }
 }
 
 void RenumberIfScattered(SurfaceMesh& mesh)

@@ -3,8 +3,8 @@
 #include "Checks.h"
 #include "MeshMeasures.h"
 
-#include "Core/Mesh/NormalFilter.h"
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/NormalFilter.h"
 #include "Core/Optimizer/Optimizer.h"
 
 #include <cmath>

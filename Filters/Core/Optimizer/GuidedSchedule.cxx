@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Optimizer/GuidedSchedule.h"
 
-#include "Core/Mesh/NormalFilter.h"
+#include "Core/Operators/NormalFilter.h"
 #include "Core/Optimizer/GuidedSmoothing.h"
 
 #include <algorithm>

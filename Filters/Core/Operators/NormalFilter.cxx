@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Mesh/NormalFilter.h"
+#include "Core/Operators/NormalFilter.h"
 
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/TriangleGeometry.h"
