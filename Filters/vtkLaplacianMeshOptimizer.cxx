@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLaplacianMeshOptimizer.h"
 
+#include "Private/CellNormals.h"
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerInternals.h"
 #include "Private/OptimizerTables.h"
 #include "Private/PolyDataOutput.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -64,13 +66,7 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
   this->Engine->SetInput(input);
   lmo::OptimizerResult result = this->Engine->Run(options, arrays, *monitor);
   this->Engine->Try([&] { lmo::CheckRange(result.positions); });
-  if (!result.isConverged)
-  {
-    vtkWarningWithObjectMacro(this->Filter,
-      "The solver stopped at the relative residual "
-        << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
-        << ". Raise MaximumNumberOfIterations or choose another SolverType.");
-  }
+  this->Warn(options, result);
   if (result.isCancelled)
   {
     lmo::KeepOutput(this->Filter);
@@ -80,34 +76,70 @@ void vtkLaplacianMeshOptimizer::Internals::Execute(
     monitor->Begin("Writing the result");
   }
   output->ShallowCopy(input);
+  lmo::ResultArrays results;
   this->SetMetrics(result);
-  this->WriteMetrics(result, output->GetFieldData());
-  this->WritePoints(std::move(result), input, output);
+  this->WriteMetrics(result, results, output->GetFieldData());
+  this->WritePoints(std::move(result), input, results, output);
+  results.Warn(this->Filter);
 }
 
-void vtkLaplacianMeshOptimizer::Internals::WritePoints(
-  lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const
+void vtkLaplacianMeshOptimizer::Internals::Warn(
+  const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const
+{
+  if (!result.isConverged)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The solver stopped at the relative residual "
+        << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
+        << ". Raise MaximumNumberOfIterations or choose another SolverType.");
+  }
+  const std::string freedom = lmo::WarnOfFreedom(result.freedom);
+  if (!freedom.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << freedom);
+  }
+  for (const std::string& damage : lmo::WarnOfDamage(options, result.comparison, result.volumeLoss))
+  {
+    vtkWarningWithObjectMacro(this->Filter, << damage);
+  }
+}
+
+void vtkLaplacianMeshOptimizer::Internals::WritePoints(lmo::OptimizerResult result,
+  vtkPolyData* input, lmo::ResultArrays& results, vtkPolyData* output) const
 {
   if (input->GetPoints())
   {
     output->SetPoints(lmo::MakePoints(std::move(result.positions), input->GetPoints()));
   }
   vtkPointData* pointData = output->GetPointData();
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", std::move(result.meanCurvatures)));
-  pointData->AddArray(lmo::MakeArray("PositionWeight", std::move(result.positionWeights)));
-  pointData->AddArray(lmo::MakeArray("LaplacianWeight", std::move(result.laplacianWeights)));
-  pointData->AddArray(lmo::MakeArray("Displacement", std::move(result.displacements)));
+  results.Add(pointData, lmo::MakeArray("MeanCurvature", std::move(result.meanCurvatures)));
+  results.Add(pointData, lmo::MakeArray("PositionWeight", std::move(result.positionWeights)));
+  results.Add(pointData, lmo::MakeArray("LaplacianWeight", std::move(result.laplacianWeights)));
+  results.Add(pointData, lmo::MakeArray("Displacement", std::move(result.displacements)));
   if (result.featureClass.rows() > 0)
   {
-    pointData->AddArray(lmo::MakeArray("FeatureClass", std::move(result.featureClass)));
+    results.Add(pointData, lmo::MakeArray("FeatureClass", std::move(result.featureClass)));
   }
-  if (result.normals.rows() > 0)
-  {
-    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), result.normals));
-  }
+  this->WriteNormals(result.normals, output);
   const lmo::TriangleCells& cells = this->Engine->GetTriangleCells();
-  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, cells, output);
-  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, output);
+  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, cells, results, output);
+  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, cells, results, output);
+}
+
+void vtkLaplacianMeshOptimizer::Internals::WriteNormals(
+  const lmo::Points& pointNormals, vtkPolyData* output) const
+{
+  if (pointNormals.rows() > 0)
+  {
+    vtkPointData* pointData = output->GetPointData();
+    pointData->SetNormals(lmo::ReplaceNormals(pointData->GetNormals(), pointNormals));
+  }
+  vtkCellData* cellData = output->GetCellData();
+  if (this->Filter->ComputeNormals && output->GetPoints() && cellData->GetNormals())
+  {
+    cellData->SetNormals(
+      lmo::ReplaceNormals(cellData->GetNormals(), lmo::CellNormals(output), "cell"));
+  }
 }
 
 void vtkLaplacianMeshOptimizer::Internals::SetMetrics(const lmo::OptimizerResult& result) const
@@ -118,18 +150,19 @@ void vtkLaplacianMeshOptimizer::Internals::SetMetrics(const lmo::OptimizerResult
 }
 
 void vtkLaplacianMeshOptimizer::Internals::WriteMetrics(
-  const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
+  const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const
 {
   Tables::VisitMetrics(*this->Filter, result,
     [&](const char* name, auto value, auto, bool isOfMode = true)
     {
       if (isOfMode)
       {
-        fieldData->AddArray(lmo::MakeArray(name, static_cast<double>(value)));
+        results.Add(fieldData, lmo::MakeArray(name, static_cast<double>(value)));
       }
       else
       {
-        fieldData->RemoveArray(name); // an earlier filter may have written it, for another surface
+        lmo::ResultArrays::Remove(
+          fieldData, name); // an earlier filter may have written it, for another surface
       }
     });
 }

@@ -23,7 +23,8 @@ vtkStandardNewMacro(vtkMeshLaplacian);
 
 namespace
 {
-void AddLaplacians(const lmo::CotangentQuantities& quantities, vtkPointData* pointData)
+void AddLaplacians(
+  const lmo::CotangentQuantities& quantities, lmo::ResultArrays& results, vtkPointData* pointData)
 {
   const lmo::MeshQuantities& mesh = quantities.GetMesh();
   const lmo::Points& V = mesh.GetPoints();
@@ -33,15 +34,18 @@ void AddLaplacians(const lmo::CotangentQuantities& quantities, vtkPointData* poi
   const auto laplacian = [&](lmo::LaplacianType type)
   { return lmo::Apply(quantities.MakeLaplacian(type), V); };
 
-  pointData->AddArray(lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
-  pointData->AddArray(
-    lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
-  pointData->AddArray(
-    lmo::MakeArray("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals()));
-  pointData->AddArray(lmo::MakeArray("MeanCurvature", quantities.GetMeanCurvatures()));
-  pointData->AddArray(lmo::MakeArray("GaussianCurvature",
-    lmo::GaussianCurvatures(lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology)));
-  pointData->AddArray(lmo::MakeArray("VoronoiArea", areas));
+  results.Add(
+    pointData, lmo::MakeArray("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM)));
+  results.Add(
+    pointData, lmo::MakeArray("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT)));
+  results.Add(
+    pointData, lmo::MakeArray("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals()));
+  results.Add(pointData, lmo::MakeArray("MeanCurvature", quantities.GetMeanCurvatures()));
+  results.Add(
+    pointData, lmo::MakeArray("GaussianCurvature",
+                 lmo::GaussianCurvatures(
+                   lmo::AngleDefects(V, mesh.GetTriangles(), topology), areas, topology)));
+  results.Add(pointData, lmo::MakeArray("VoronoiArea", areas));
 }
 }
 
@@ -56,7 +60,10 @@ int vtkMeshLaplacian::RequestData(
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
       const lmo::MeshQuantities mesh(std::move(surface.points), std::move(surface.triangles));
       output->ShallowCopy(input);
-      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), output->GetPointData());
+      lmo::ResultArrays results;
+      AddLaplacians(
+        lmo::CotangentQuantities(mesh, this->RobustLaplacian), results, output->GetPointData());
+      results.Warn(this);
     });
 }
 

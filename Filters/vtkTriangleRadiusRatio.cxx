@@ -32,9 +32,12 @@ int vtkTriangleRadiusRatio::RequestData(
       this->MeanRadiusRatio = quality.mean;
       this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);
-      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.triangleCells, output);
-      output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", quality.mean));
-      output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
+      lmo::ResultArrays results;
+      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.triangleCells, results, output);
+      vtkFieldData* metrics = output->GetFieldData();
+      results.Add(metrics, lmo::MakeArray("MeanRadiusRatio", quality.mean));
+      results.Add(metrics, lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
+      results.Warn(this);
     });
 }
 

@@ -35,18 +35,26 @@ std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
 /// \throw InputError for what works in one process only.
 void CheckOptions(const OptimizerOptions& options)
 {
-  const std::pair<bool, const char*> choices[] = {
-    { options.mode > Mode::PRESCRIBED_LAPLACIANS, "This mode" },
-    { options.robustLaplacian, "RobustLaplacian" },
-    { options.featureConstraints, "FeatureConstraints" },
-    { options.preserveVolume, "PreserveVolume" },
+  struct Choice
+  {
+    bool isChosen;
+    const char* name;
+    const char* remedy;
   };
-  for (const auto& [isChosen, name] : choices)
+  const Choice choices[] = {
+    { options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION, "Mode OPTIMIZE_WITHIN_DEVIATION",
+      "Choose OPTIMIZE_TRIANGLES" },
+    { options.mode == Mode::SMOOTH_GUIDED, "Mode SMOOTH_GUIDED", "Choose SMOOTH" },
+    { options.robustLaplacian, "RobustLaplacian", "Switch it off" },
+    { options.featureConstraints, "FeatureConstraints", "Switch them off" },
+    { options.preserveVolume, "PreserveVolume", "Switch it off" },
+  };
+  for (const auto& [isChosen, name, remedy] : choices)
   {
     if (isChosen)
     {
-      throw InputError(std::string(name) +
-                       " works in one process only. Choose without it, or run in one process.");
+      throw InputError(
+        std::string(name) + " works in one process only. " + remedy + ", or run in one process.");
     }
   }
 }
@@ -79,7 +87,7 @@ OptimizerResult DistributedOptimizer::Run(
   CheckOptions(options);
   if (!this->Mesh)
   {
-    return this->Vertices->Run({}, {}, monitor);
+    return this->Vertices->Run(options, {}, monitor);
   }
   const PetscSession session(this->Comm.Get());
   OptimizerOptions common = options;
@@ -91,6 +99,7 @@ OptimizerResult DistributedOptimizer::Run(
   vertexArrays.prescribedLaplacians = FromPiece(*this->Mesh, arrays.prescribedLaplacians, 3);
   vertexArrays.fixedPoints = FromPiece(*this->Mesh, arrays.fixedPoints, 1);
   OptimizerResult result = this->ToPiece(this->Vertices->Run(common, vertexArrays, monitor));
+  result.volumeLoss = VolumeLossOfWhole(result.comparison);
   if (!options.computeNormals)
   {
     result.normals.resize(0, 3);

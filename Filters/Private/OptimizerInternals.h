@@ -4,6 +4,7 @@
 #define OptimizerInternals_h
 
 #include "OptimizerEngine.h"
+#include "ResultArrays.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
 
@@ -42,13 +43,21 @@ struct vtkLaplacianMeshOptimizer::Internals
   /// \param pieces in which the whole surface comes
   void Execute(vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces);
 
-  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
+  /// Says what the user should know of a result: what could not move and what got worse.
+  void Warn(const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const;
+
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, lmo::ResultArrays& results,
+    vtkPolyData* output) const;
+
+  /// Point and cell normals of the new surface where the input has them.
+  void WriteNormals(const lmo::Points& pointNormals, vtkPolyData* output) const;
 
   /// Sets the metrics that the Get methods return.
   void SetMetrics(const lmo::OptimizerResult& result) const;
 
   /// Writes them to the field data.
-  void WriteMetrics(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
+  void WriteMetrics(
+    const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

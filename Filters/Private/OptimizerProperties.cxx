@@ -119,7 +119,7 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Internals::ReadArrays(
     const bool isOfPoints = input->GetPointData()->HasArray(array->GetName()) &&
                             input->GetPointData()->GetArray(array->GetName()) == array;
     isOfPoints ? arrays.featurePoints = lmo::ReadScalars(array, points)
-               : arrays.regions = lmo::ReadScalars(array, input->GetNumberOfCells());
+               : arrays.regions = lmo::ReadScalars(array, input->GetNumberOfCells(), "cell");
   }
   if (selection)
   {

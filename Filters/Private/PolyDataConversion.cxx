@@ -133,26 +133,27 @@ void CheckOffsets(vtkCellArray* cells, const char* what)
   }
 }
 
-std::string NameOf(vtkDataArray* array)
+std::string NameOf(vtkDataArray* array, const char* kind = "point")
 {
-  return "the point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+  return "the " + std::string(kind) + " array '" +
+         std::string(array->GetName() ? array->GetName() : "") + "'";
 }
 
 template <typename Rows>
-Rows ReadArray(vtkDataArray* array, vtkIdType points)
+Rows ReadArray(vtkDataArray* array, vtkIdType count, const char* kind = "point")
 {
-  const std::string name = NameOf(array);
-  if (array->GetNumberOfTuples() != points ||
+  const std::string name = NameOf(array, kind);
+  if (array->GetNumberOfTuples() != count ||
       array->GetNumberOfComponents() != Rows::ColsAtCompileTime)
   {
     std::ostringstream text;
     text << "The size of " << name << " is wrong: it has " << array->GetNumberOfTuples()
-         << " tuples of " << array->GetNumberOfComponents() << " components; " << points
+         << " tuples of " << array->GetNumberOfComponents() << " components; " << count
          << " tuples of " << Rows::ColsAtCompileTime << " are needed. Choose another array.";
     throw InputError(text.str());
   }
   Rows rows = ReadTuples<Rows>(array);
-  FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), "point",
+  FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), kind,
     "Replace them, for example with vtkArrayCalculator.");
   return rows;
 }
@@ -308,9 +309,9 @@ void CheckRange(const Points& positions)
     "Scale the mesh and the prescribed Laplacians, or convert the points to double.");
 }
 
-Vector ReadScalars(vtkDataArray* array, vtkIdType points)
+Vector ReadScalars(vtkDataArray* array, vtkIdType count, const char* kind)
 {
-  return ReadArray<Vector>(array, points);
+  return ReadArray<Vector>(array, count, kind);
 }
 
 Vector ReadWeights(vtkDataArray* array, vtkIdType points)

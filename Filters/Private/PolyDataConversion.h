@@ -42,8 +42,10 @@ SurfaceMesh ReadMesh(vtkPolyData* input);
 /// \throw InputError if new coordinates are beyond the range of their type.
 void CheckRange(const Points& positions);
 
-/// \throw InputError if the array has not one value per point, or one that is not finite.
-Vector ReadScalars(vtkDataArray* array, vtkIdType points);
+/// \param count of the points or cells that the array belongs to
+/// \param kind what it belongs to, for the error: "point" or "cell"
+/// \throw InputError if the array has not one value for each, or one that is not finite.
+Vector ReadScalars(vtkDataArray* array, vtkIdType count, const char* kind = "point");
 
 /// As ReadScalars(); negative values are errors too.
 Vector ReadWeights(vtkDataArray* array, vtkIdType points);

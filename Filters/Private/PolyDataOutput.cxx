@@ -81,12 +81,12 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
 }
 
 void AddRadiusRatios(const char* name, const MeshQuality& quality,
-  const TriangleCells& triangleCells, vtkPolyData* output)
+  const TriangleCells& triangleCells, ResultArrays& results, vtkPolyData* output)
 {
   const vtkIdType count = output->GetNumberOfCells();
   if (triangleCells.cells.empty() && count == quality.triangles.size())
   {
-    output->GetCellData()->AddArray(MakeArray(name, quality.triangles));
+    results.Add(output->GetCellData(), MakeArray(name, quality.triangles));
   }
   else
   {
@@ -96,9 +96,9 @@ void AddRadiusRatios(const char* name, const MeshQuality& quality,
       double& cell = cells[triangleCells(t)];
       cell = cell == UndefinedQuality ? quality.triangles[t] : std::min(cell, quality.triangles[t]);
     }
-    output->GetCellData()->AddArray(MakeArray(name, std::move(cells)));
+    results.Add(output->GetCellData(), MakeArray(name, std::move(cells)));
   }
-  output->GetPointData()->AddArray(MakeArray(name, quality.vertices));
+  results.Add(output->GetPointData(), MakeArray(name, quality.vertices));
 }
 
 namespace
@@ -121,14 +121,16 @@ struct ReplaceTuples
 };
 }
 
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals)
+vtkSmartPointer<vtkDataArray> ReplaceNormals(
+  vtkDataArray* input, const Points& normals, const char* kind)
 {
   if (input->GetNumberOfTuples() != normals.rows() || input->GetNumberOfComponents() != 3)
   {
     std::ostringstream text;
-    text << "The point array '" << (input->GetName() ? input->GetName() : "") << "' of normals has "
-         << input->GetNumberOfTuples() << " tuples of " << input->GetNumberOfComponents()
-         << " components; " << normals.rows() << " tuples of 3 are needed. Repair or remove them.";
+    text << "The " << kind << " array '" << (input->GetName() ? input->GetName() : "")
+         << "' of normals has " << input->GetNumberOfTuples() << " tuples of "
+         << input->GetNumberOfComponents() << " components; " << normals.rows()
+         << " tuples of 3 are needed. Repair or remove them.";
     throw InputError(text.str());
   }
   auto result = vtk::TakeSmartPointer(input->NewInstance());

@@ -5,6 +5,7 @@
 
 #include "Core/Mesh/TriangleQuality.h"
 #include "PolyDataConversion.h"
+#include "ResultArrays.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,11 +26,13 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 
 /// Adds the radius ratios of the triangles to the cell data and of the vertices to the point data.
 void AddRadiusRatios(const char* name, const MeshQuality& quality,
-  const TriangleCells& triangleCells, vtkPolyData* output);
+  const TriangleCells& triangleCells, ResultArrays& results, vtkPolyData* output);
 
 /// Copy of a normals array, in its type, with the normals of \a normals that are not 0.
-/// \throw InputError if the array has not three values per point.
-vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
+/// \param kind what the array belongs to, for the error: "point" or "cell"
+/// \throw InputError if the array has not three values for each of \a normals.
+vtkSmartPointer<vtkDataArray> ReplaceNormals(
+  vtkDataArray* input, const Points& normals, const char* kind = "point");
 }
 
 #endif

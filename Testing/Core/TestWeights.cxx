@@ -3,6 +3,7 @@
 #include "Checks.h"
 #include "MeshMeasures.h"
 
+#include "Core/Operators/SharpVertices.h"
 #include "Core/Operators/Weights.h"
 
 #include <cmath>

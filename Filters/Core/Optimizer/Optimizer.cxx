@@ -104,6 +104,18 @@ void Report(const Solution& solution, const SolverOptions& options, OptimizerRes
   result.relativeResidual = std::max(result.relativeResidual, solution.relativeResidual);
   result.isConverged = result.relativeResidual <= options.tolerance;
 }
+
+/// Sets what warnings are about.
+void Review(MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines, OptimizerResult& result)
+{
+  result.freedom =
+    CountFreedom(mesh, ChooseMotion(mesh.GetTopology(), options, arrays, lines), options, arrays);
+  if (options.mode == Mode::SMOOTH || options.mode == Mode::SMOOTH_GUIDED)
+  {
+    result.volumeLoss = MeasureVolumeLoss(mesh, result.positions);
+  }
+}
 }
 
 Optimizer::Optimizer(Points V, Triangles triangles)
@@ -298,6 +310,7 @@ OptimizerResult Optimizer::RunInOrder(
   }
   result.comparison = CompareSurfaces(
     V, result.positions, T, mesh.GetQuality(), mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
+  Review(mesh, options, arrays, lines, result);
   return result;
 }
 }

@@ -8,6 +8,7 @@
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Optimizer/DeviationOptimizer.h"
 #include "Core/Optimizer/OptimizerOptions.h"
+#include "Core/Optimizer/ResultReview.h"
 #include "Core/Solvers/PreconditionerCache.h"
 
 #include <functional>
@@ -23,6 +24,8 @@ struct OptimizerResult
   Vector laplacianWeights;
   Points normals; ///< vertex normals of the result, 0 where undefined; no rows if not asked for
   SurfaceComparison comparison; ///< of the input and the result
+  VolumeLoss volumeLoss;        ///< of the smoothing modes
+  VertexFreedom freedom;
   Index iterations = 0;
   double relativeResidual = 0;
   bool isConverged = true; ///< the residual is within the tolerance
