@@ -19,6 +19,9 @@
  * lines may stand beside the polygons and triangle strips, which count as triangles, cut as
  * vtkLaplacianMeshOptimizer does.
  *
+ * Arrays of the input that have these names are kept unless a filter of this module made them; the
+ * new ones are then named <name>Optimized, and a warning says so.
+ *
  * @sa vtkLaplacianMeshOptimizer vtkCurvatures
  */
 #ifndef vtkMeshLaplacian_h

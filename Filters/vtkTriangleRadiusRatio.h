@@ -14,6 +14,8 @@
  * triangles, cut as vtkLaplacianMeshOptimizer does; vertices and lines have -1), point array
  * `RadiusRatio` (minimum over the triangles at the point, -1 if there are none), and field arrays
  * `MeanRadiusRatio` and `MinimumRadiusRatio` of one value.
+ * Arrays of the input that have these names are kept unless a filter of this module made them; the
+ * new ones are then named <name>Optimized, and a warning says so.
  */
 #ifndef vtkTriangleRadiusRatio_h
 #define vtkTriangleRadiusRatio_h

@@ -106,7 +106,7 @@ void Report(const Solution& solution, const SolverOptions& options, OptimizerRes
 }
 
 /// Sets what warnings are about.
-void Review(MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
+void Review(const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays,
   const std::optional<FeatureLines>& lines, OptimizerResult& result)
 {
   result.freedom =

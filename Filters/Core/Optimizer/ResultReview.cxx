@@ -122,7 +122,7 @@ void VertexFreedom::operator+=(const VertexFreedom& other)
   this->corners += other.corners;
 }
 
-VertexFreedom CountFreedom(MeshQuantities& mesh, const DisplacementConstraints& motion,
+VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& motion,
   const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();

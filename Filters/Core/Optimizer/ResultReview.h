@@ -27,7 +27,7 @@ struct VertexFreedom
 };
 
 /// \param motion what ChooseMotion() returned
-VertexFreedom CountFreedom(MeshQuantities& mesh, const DisplacementConstraints& motion,
+VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& motion,
   const OptimizerOptions& options, const VertexArrays& arrays);
 
 /// Says that no vertex may move, or that those that may have no triangle with area, with counts

@@ -55,7 +55,7 @@ struct SumsOfAll
   }
 };
 
-SumsOfAll SumComponents(MeshQuantities& mesh, const Points& after)
+SumsOfAll SumComponents(const MeshQuantities& mesh, const Points& after)
 {
   const Points& V = mesh.GetPoints();
   const Triangles& T = mesh.GetTriangles();
@@ -106,7 +106,7 @@ void Count(VolumeLoss& loss, double change)
 
 }
 
-VolumeLoss MeasureVolumeLoss(MeshQuantities& mesh, const Points& after)
+VolumeLoss MeasureVolumeLoss(const MeshQuantities& mesh, const Points& after)
 {
   VolumeLoss loss;
   const MeshTopology& topology = mesh.GetTopology();

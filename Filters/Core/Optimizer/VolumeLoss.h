@@ -20,7 +20,7 @@ struct VolumeLoss
 };
 
 /// \param after positions of the vertices of \a mesh, which is no part of a distributed one
-VolumeLoss MeasureVolumeLoss(MeshQuantities& mesh, const Points& after);
+VolumeLoss MeasureVolumeLoss(const MeshQuantities& mesh, const Points& after);
 
 /// The whole surface as one component, for a mesh that is distributed over processes.
 VolumeLoss VolumeLossOfWhole(const SurfaceComparison& comparison);
