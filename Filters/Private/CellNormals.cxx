@@ -6,6 +6,8 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <Eigen/Geometry>
+
 namespace lmo
 {
 namespace
