@@ -6,15 +6,19 @@ MESH is a triangle mesh in .ply, .obj, .stl, .vtp or .vtk; without one the isosu
 Wavelet source is taken.
 
   --preset NAME            a recommended combination of the options below:
-                             smooth-model  better triangles on smooth shapes (default)
-                             cad-model     better triangles, sharp edges stay
+                             within-error  the best triangles within an error (default)
+                             smooth-model  better triangles in one solve on smooth shapes
+                             cad-model     the same on CAD shapes, sharp edges stay
                              denoise       remove slight noise from smooth shapes
                              denoise-cad   remove slight noise, sharp edges stay
                              remove-noise  remove strong noise, the volume stays
                              remove-noise-cad  remove strong noise from flat faces
-  --max-deviation NUMBER   the best triangles that leave the surface by no more than this fraction of
-                           the bounding box's diagonal, which is proved; in place of a preset
-  --mode NAME              triangles, smooth
+                             paper-cad-model, paper-denoise-cad  the paper's settings for CAD
+  --max-deviation NUMBER   the error of within-error: the largest distance between the surfaces
+                           before and after as a fraction of the bounding box's diagonal, which is
+                           guaranteed (default: 0.002)
+  --mode NAME              within-deviation, triangles, smooth; triangles if an option below that
+                           within-deviation does not have is given
   --laplacian NAME         uniform, cotangent, mean-curvature (for smooth)
   --position-weights NAME  constant, linear, cdf: how points are held where they were
   --laplacian-weights NAME constant, linear-complement, cdf-complement, gaussian: where to hold back
@@ -38,13 +42,20 @@ LoadPlugin('LaplacianMeshOptimization', remote=False, ns=globals())
 BINS = 50  # of the histograms
 
 PRESETS = {
+    'within-error': BestTriangleswithinanErrornoRemesh,
     'smooth-model': ImproveTriangleQualitynoRemesh,
     'cad-model': ImproveTriangleQualitynoRemeshCAD,
     'denoise': SmoothandFair,
     'denoise-cad': SmoothandFairCAD,
     'remove-noise': RemoveNoise,
     'remove-noise-cad': RemoveNoiseCAD,
+    'paper-cad-model': ImproveTriangleQualityPaperCAD,
+    'paper-denoise-cad': SmoothandFairPaperCAD,
 }
+
+# Options of the modes that solve once.
+SINGLE_SOLVE = ['LaplacianType', 'PositionWeighting', 'LaplacianWeighting', 'ScaleFactor',
+                'ModulateByTriangleQuality', 'TangentPlaneConstraints']
 
 
 def choice(**values):
@@ -53,7 +64,9 @@ def choice(**values):
 
 
 CHOICES = {
-    'Mode': ('--mode', choice(triangles='Optimize Triangles', smooth='Smooth')),
+    'Mode': ('--mode', choice(
+        within_deviation='Optimize Within Deviation', triangles='Optimize Triangles',
+        smooth='Smooth')),
     'LaplacianType': ('--laplacian', choice(
         uniform='Uniform', cotangent='Cotangent', mean_curvature='Mean Curvature')),
     'PositionWeighting': ('--position-weights', choice(
@@ -68,9 +81,8 @@ CHOICES = {
 def parse_arguments():
     parser = argparse.ArgumentParser(prog='optimize.sh', usage=__doc__.split('usage: ')[1])
     parser.add_argument('mesh', nargs='?')
-    job = parser.add_mutually_exclusive_group()
-    job.add_argument('--preset', choices=PRESETS, default='smooth-model')
-    job.add_argument('--max-deviation', dest='MaximumDeviation', type=float)
+    parser.add_argument('--preset', choices=PRESETS)
+    parser.add_argument('--max-deviation', dest='MaximumDeviation', type=float)
     for name, (flag, values) in CHOICES.items():
         parser.add_argument(flag, dest=name, choices=values)
     parser.add_argument('--scale', dest='ScaleFactor', type=float)
@@ -79,23 +91,30 @@ def parse_arguments():
     parser.add_argument('--output')
     parser.add_argument('--image')
     arguments = parser.parse_args()
-    if arguments.MaximumDeviation is not None and arguments.Mode:
-        parser.error('--max-deviation is a mode of its own: leave out --mode')
+    solves_once = any(getattr(arguments, name) not in (None, False) for name in SINGLE_SOLVE)
+    if arguments.preset is None:
+        is_single = solves_once and arguments.MaximumDeviation is None
+        arguments.preset = 'smooth-model' if is_single else 'within-error'
+    stays_within = arguments.Mode == 'within-deviation' or (
+        arguments.Mode is None and arguments.preset == 'within-error')
+    if arguments.MaximumDeviation is not None and not stays_within:
+        parser.error('--max-deviation needs the preset within-error or the mode within-deviation')
+    if stays_within and solves_once:
+        parser.error('the mode within-deviation has weights of its own: leave them out')
     return arguments
 
 
 def chosen_properties(arguments):
     """The properties that differ from the preset."""
     properties = {}
-    if arguments.MaximumDeviation is not None:
-        properties = {'Mode': 'Optimize Within Deviation',
-                      'MaximumDeviation': arguments.MaximumDeviation}
     for name, (_, values) in CHOICES.items():
         if getattr(arguments, name):
             properties[name] = values[getattr(arguments, name)]
-    for name in ('ScaleFactor', 'ModulateByTriangleQuality', 'TangentPlaneConstraints'):
-        if getattr(arguments, name):
-            properties[name] = getattr(arguments, name)
+    for name in ('MaximumDeviation', 'ScaleFactor', 'ModulateByTriangleQuality',
+                 'TangentPlaneConstraints'):
+        value = getattr(arguments, name)
+        if value is not None and value is not False:
+            properties[name] = value
     return properties
 
 
@@ -132,7 +151,7 @@ def report(optimizer, surface, seconds):
     print('maximum displacement     %8.5f of the diagonal' % figure('RelativeMaximumDisplacement'))
     print('Hausdorff distance       %8.5f of the diagonal' % distance.GetValue(0))
     if optimizer.Mode == 'Optimize Within Deviation':
-        print('  proved to be at most   %8.5f' % figure('RelativeHausdorffBound'))
+        print('  guaranteed at most     %8.5f' % figure('RelativeHausdorffBound'))
     print('volume change            %+7.3f%% (0 if the surface is open)'
           % (100 * figure('RelativeVolumeChange')))
     print('flipped triangles        %8d' % figure('FlippedTriangles'))

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkLaplacianMeshOptimizer.h"
 
+#include "Private/CellNormals.h"
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerSession.h"
 #include "Private/OptimizerTables.h"
@@ -9,7 +10,9 @@
 #include "Private/PointNormals.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
+#include "Private/ResultArrays.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -55,13 +58,7 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   this->Try([&] { arrays = this->ReadArrays(input, selection); });
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
-  if (!result.isConverged)
-  {
-    vtkWarningWithObjectMacro(this->Filter,
-      "The solver stopped at the relative residual "
-        << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
-        << ". Raise MaximumNumberOfIterations or choose another SolverType.");
-  }
+  this->Warn(options, result);
   if (result.isCancelled)
   {
     lmo::KeepOutput(this->Filter);
@@ -71,19 +68,42 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
     monitor->Begin("Writing the result");
   }
   output->ShallowCopy(input);
+  lmo::ResultArrays results;
   SetMetrics(this->Filter, result);
-  this->WriteMetrics(result, output->GetFieldData());
-  this->WritePoints(std::move(result), input, output);
+  this->WriteMetrics(result, results, output->GetFieldData());
+  this->WritePoints(std::move(result), input, results, output);
+  results.Warn(this->Filter);
 }
 
-void vtkLaplacianMeshOptimizer::Session::WritePoints(
-  lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const
+void vtkLaplacianMeshOptimizer::Session::Warn(
+  const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const
+{
+  if (!result.isConverged)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The solver stopped at the relative residual "
+        << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
+        << ". Raise MaximumNumberOfIterations or choose another SolverType.");
+  }
+  const std::string freedom = lmo::WarnOfFreedom(result.freedom);
+  if (!freedom.empty())
+  {
+    vtkWarningWithObjectMacro(this->Filter, << freedom);
+  }
+  for (const std::string& damage : lmo::WarnOfDamage(options, result.comparison, result.volumeLoss))
+  {
+    vtkWarningWithObjectMacro(this->Filter, << damage);
+  }
+}
+
+void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result,
+  vtkPolyData* input, lmo::ResultArrays& results, vtkPolyData* output) const
 {
   const lmo::MeshNumbering& numbering = this->Numbering;
   vtkPointData* pointData = output->GetPointData();
   this->WritePointData(result, input, pointData);
   const auto add = [&](const char* name, auto& values)
-  { pointData->AddArray(lmo::MakeArray(name, std::move(values), numbering)); };
+  { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())
   {
     output->SetPoints(lmo::MakePoints(std::move(result.positions), numbering, input->GetPoints()));
@@ -96,8 +116,9 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(
   {
     add("FeatureClass", result.featureClass);
   }
-  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, output);
-  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, output);
+  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, results, output);
+  lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, results, output);
+  this->WriteCellNormals(output);
 }
 
 bool vtkLaplacianMeshOptimizer::Session::InterpolatesPointData() const
@@ -113,7 +134,7 @@ void vtkLaplacianMeshOptimizer::Session::WritePointData(
   vtkDataArray* normals = pointData->GetNormals();
   if (this->Filter->ComputeNormals && normals)
   {
-    lmo::CheckNormals(normals, input->GetNumberOfPoints());
+    lmo::CheckNormals(normals, input->GetNumberOfPoints(), "point");
   }
   const auto positions = [&] { return this->Numbering.ToPoints(result.positions); };
   if (this->InterpolatesPointData() && input->GetPoints())
@@ -129,6 +150,16 @@ void vtkLaplacianMeshOptimizer::Session::WritePointData(
   }
 }
 
+void vtkLaplacianMeshOptimizer::Session::WriteCellNormals(vtkPolyData* output) const
+{
+  vtkDataArray* normals = output->GetCellData()->GetNormals();
+  if (this->Filter->ComputeNormals && output->GetPoints() && normals)
+  {
+    lmo::CheckNormals(normals, output->GetNumberOfCells(), "cell");
+    output->GetCellData()->SetNormals(lmo::ReplaceNormals(normals, lmo::CellNormals(output)));
+  }
+}
+
 void vtkLaplacianMeshOptimizer::Session::SetMetrics(
   vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result)
 {
@@ -138,18 +169,19 @@ void vtkLaplacianMeshOptimizer::Session::SetMetrics(
 }
 
 void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
-  const lmo::OptimizerResult& result, vtkFieldData* fieldData) const
+  const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const
 {
   Tables::VisitMetrics(*this->Filter, result,
     [&](const char* name, auto value, auto, bool isOfMode = true)
     {
       if (isOfMode)
       {
-        fieldData->AddArray(lmo::MakeArray(name, static_cast<double>(value)));
+        results.Add(fieldData, lmo::MakeArray(name, static_cast<double>(value)));
       }
       else
       {
-        fieldData->RemoveArray(name); // an earlier filter may have written it, for another surface
+        // An earlier filter may have written it, for another surface.
+        lmo::ResultArrays::Remove(fieldData, name);
       }
     });
 }

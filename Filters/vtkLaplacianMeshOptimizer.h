@@ -21,7 +21,14 @@
  * - Mode SMOOTH_GUIDED removes noise from shapes with flat faces and sharp edges.
  *
  * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
- * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT.
+ * edges PositionWeighting LINEAR together with LaplacianWeighting LINEAR_COMPLEMENT. The weights
+ * are relative to the range of curvature of the mesh: on tessellations whose points all lie on
+ * sharp edges use FeatureConstraints.
+ *
+ * Warnings say, with figures and the remedy, that no point can move, and in all modes but
+ * OPTIMIZE_WITHIN_DEVIATION what got worse: the mean radius ratio in OPTIMIZE_TRIANGLES, more than
+ * one triangle in a thousand that turned by more than a right angle, more than a tenth of the
+ * volume.
  *
  * Input: polygons and triangle strips; vertices and lines pass through and their points do not move
  * unless a polygon uses them too. Quads and larger polygons, which may be concave, have neighbours
@@ -38,8 +45,8 @@
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
  *   (degenerate) to 1 (equilateral); of a polygon with n > 3 corners the minimum over its corners
- *   of 2 |a x b| / ((a^2 + b^2) sin theta_n), clipped to 1, with the edges a and b of the corner and
- *   the angle theta_n of the regular polygon (Verdict's Shape for convex quads); of a strip the
+ *   of 2 |a x b| / ((a^2 + b^2) sin theta_n), clipped to 1, with the edges a and b of the corner
+ * and the angle theta_n of the regular polygon (Verdict's Shape for convex quads); of a strip the
  *   minimum over its triangles; -1 for vertices and lines. Means count each cell once.
  * - Point data `RadiusRatio` and `InputRadiusRatio`: minimum over the cells at the point; -1
  *   if there are none. `MeanCurvature`: of the input, 1 / length, never negative.
@@ -47,6 +54,8 @@
  *   gave. `Displacement`: new minus old coordinates. With features also `FeatureClass`: 0 smooth, 1
  *   on a feature line, 2 corner; a boundary counts as a line where it slides.
  * - Field data, one value each: the metrics that the Get methods below return, under their names.
+ * An array of the input that has one of these names is kept, and the result is then named
+ * <name>Optimized; only results of the filters of this module are replaced by new ones.
  *
  * @sa vtkMeshLaplacian vtkTriangleRadiusRatio vtkSurfaceDeviation vtkWindowedSincPolyDataFilter
  */
@@ -150,7 +159,8 @@ public:
    * not fall, and no additional triangle is inverted or folded. If you abort the filter, the output
    * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
-   * own. Default: OPTIMIZE_TRIANGLES.
+   * own. Default: OPTIMIZE_WITHIN_DEVIATION, the only mode that guarantees how close the surface
+   * stays; in several processes choose OPTIMIZE_TRIANGLES.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -161,8 +171,9 @@ public:
    * L of the modes SMOOTH and PRESCRIBED_LAPLACIANS. UNIFORM (0): L_u, Eqn. 3, evens out the
    * triangles as well. COTANGENT (1): L_c, Eqn. 4, leaves their shapes. MEAN_CURVATURE (2): L_ck,
    * Eqn. 7, weights the rows by 1 / area; it is multiplied by the median of 4A / sum of cotangents,
-   * so that the result does not depend on the unit of length. Prescribed Laplacians are compared
-   * to L as it is used. Default: UNIFORM.
+   * so that the result does not depend on the unit of length. Prescribed Laplacians are those that
+   * vtkMeshLaplacian computes: UniformLaplacian, CotangentLaplacian or MeanCurvatureNormal, the
+   * last in 1 / length; those of the input itself move nothing. Default: UNIFORM.
    */
   vtkSetMacro(LaplacianType, int);
   vtkGetMacro(LaplacianType, int);
@@ -449,8 +460,9 @@ public:
 
   ///@{
   /**
-   * Recompute the point normals if the input has them: area-weighted, in the direction in which the
-   * triangles are counter-clockwise. Off: the input's normals pass through. Default: on.
+   * Recompute the point and cell normals that the input has: area-weighted at points, in the
+   * direction in which the cells are counter-clockwise. Off: the input's normals pass through.
+   * Default: on.
    */
   vtkSetMacro(ComputeNormals, vtkTypeBool);
   vtkGetMacro(ComputeNormals, vtkTypeBool);
@@ -561,7 +573,7 @@ protected:
   /// The tables of properties and metrics.
   struct Tables;
 
-  int Mode = OPTIMIZE_TRIANGLES;
+  int Mode = OPTIMIZE_WITHIN_DEVIATION;
   int LaplacianType = UNIFORM;
   vtkTypeBool RobustLaplacian = 0;
   int PositionWeighting = CDF;

@@ -33,7 +33,7 @@ lmo::Vector AngleDefects(const lmo::MeshQuantities& mesh)
 }
 
 void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNumbering& numbering,
-  vtkPointData* pointData)
+  lmo::ResultArrays& results, vtkPointData* pointData)
 {
   const lmo::MeshQuantities& mesh = quantities.GetMesh();
   const lmo::Points& V = mesh.GetPoints();
@@ -41,7 +41,7 @@ void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNu
   const std::shared_ptr<const lmo::CotangentWeights> weights = quantities.GetWeights();
   const lmo::Vector& areas = weights->GetVoronoiAreas();
   const auto add = [&](const char* name, auto values)
-  { pointData->AddArray(lmo::MakeArray(name, std::move(values), numbering)); };
+  { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
   const auto laplacian = [&](lmo::LaplacianType type)
   { return lmo::Apply(quantities.MakeLaplacian(type), V); };
 
@@ -70,8 +70,10 @@ int vtkMeshLaplacian::RequestData(
       const lmo::MeshQuantities mesh(
         std::move(surface.points), std::move(surface.triangles), std::move(surface.polygons));
       output->ShallowCopy(input);
+      lmo::ResultArrays results;
       AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), surface.numbering,
-        output->GetPointData());
+        results, output->GetPointData());
+      results.Warn(this);
     });
 }
 

@@ -20,6 +20,9 @@
  * that of the edges, and the other Laplacians, curvatures and areas are those of the virtual
  * refinement of Bunge, Herholz, Kazhdan and Botsch (2020), which relates all points of a polygon.
  *
+ * Arrays of the input that have these names are kept unless a filter of this module made them; the
+ * new ones are then named <name>Optimized, and a warning says so.
+ *
  * @sa vtkLaplacianMeshOptimizer vtkCurvatures
  */
 #ifndef vtkMeshLaplacian_h

@@ -62,13 +62,16 @@ void vtkSurfaceDeviation::Compare(
   this->RelativeMeanDistance = diagonal > 0 ? this->MeanDistance / diagonal : 0;
 
   output->ShallowCopy(surfaceData);
-  output->GetPointData()->AddArray(
-    lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
+  lmo::ResultArrays results;
+  results.Add(
+    output->GetPointData(), lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
   vtkFieldData* metrics = output->GetFieldData();
-  metrics->AddArray(lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
-  metrics->AddArray(lmo::MakeArray("RelativeHausdorffDistance", this->RelativeHausdorffDistance));
-  metrics->AddArray(lmo::MakeArray("MeanDistance", this->MeanDistance));
-  metrics->AddArray(lmo::MakeArray("RelativeMeanDistance", this->RelativeMeanDistance));
+  results.Add(metrics, lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
+  results.Add(
+    metrics, lmo::MakeArray("RelativeHausdorffDistance", this->RelativeHausdorffDistance));
+  results.Add(metrics, lmo::MakeArray("MeanDistance", this->MeanDistance));
+  results.Add(metrics, lmo::MakeArray("RelativeMeanDistance", this->RelativeMeanDistance));
+  results.Warn(this);
 }
 
 int vtkSurfaceDeviation::RequestData(

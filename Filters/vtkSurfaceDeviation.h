@@ -14,6 +14,8 @@
  * and field arrays of one value with the names of the Get methods. Both inputs may hold vertices
  * and lines; polygons and triangle strips count as triangles, cut as vtkLaplacianMeshOptimizer
  * does. A reference without triangles is an error unless the input has none either.
+ * Arrays of the input that have these names are kept unless a filter of this module made them; the
+ * new ones are then named <name>Optimized, and a warning says so.
  *
  * @sa vtkHausdorffDistancePointSetFilter
  */

@@ -38,9 +38,12 @@ int vtkTriangleRadiusRatio::RequestData(
       this->MeanRadiusRatio = quality.mean;
       this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);
-      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.numbering, output);
-      output->GetFieldData()->AddArray(lmo::MakeArray("MeanRadiusRatio", quality.mean));
-      output->GetFieldData()->AddArray(lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
+      lmo::ResultArrays results;
+      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.numbering, results, output);
+      vtkFieldData* metrics = output->GetFieldData();
+      results.Add(metrics, lmo::MakeArray("MeanRadiusRatio", quality.mean));
+      results.Add(metrics, lmo::MakeArray("MinimumRadiusRatio", quality.minimum));
+      results.Warn(this);
     });
 }
 

@@ -35,7 +35,9 @@ def updated(vtk_filter, mesh, **properties):
 
 
 def optimized(mesh, **properties):
-    return updated(Optimizer(), mesh, **properties).GetOutput()
+    """Mode OPTIMIZE_TRIANGLES unless the properties say otherwise."""
+    settings = {"Mode": Optimizer.OPTIMIZE_TRIANGLES, **properties}
+    return updated(Optimizer(), mesh, **settings).GetOutput()
 
 
 def radius_ratios(mesh):

@@ -49,18 +49,26 @@ std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
 /// \throw InputError for what works in one process only.
 void CheckOptions(const OptimizerOptions& options)
 {
-  const std::pair<bool, const char*> choices[] = {
-    { options.mode > Mode::PRESCRIBED_LAPLACIANS, "This mode" },
-    { options.robustLaplacian, "RobustLaplacian" },
-    { options.featureConstraints, "FeatureConstraints" },
-    { options.preserveVolume, "PreserveVolume" },
+  struct Choice
+  {
+    bool isChosen;
+    const char* name;
+    const char* remedy;
   };
-  for (const auto& [isChosen, name] : choices)
+  const Choice choices[] = {
+    { options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION, "Mode OPTIMIZE_WITHIN_DEVIATION",
+      "Choose OPTIMIZE_TRIANGLES" },
+    { options.mode == Mode::SMOOTH_GUIDED, "Mode SMOOTH_GUIDED", "Choose SMOOTH" },
+    { options.robustLaplacian, "RobustLaplacian", "Switch it off" },
+    { options.featureConstraints, "FeatureConstraints", "Switch them off" },
+    { options.preserveVolume, "PreserveVolume", "Switch it off" },
+  };
+  for (const auto& [isChosen, name, remedy] : choices)
   {
     if (isChosen)
     {
-      throw InputError(std::string(name) +
-                       " works in one process only. Choose without it, or run in one process.");
+      throw InputError(
+        std::string(name) + " works in one process only. " + remedy + ", or run in one process.");
     }
   }
 }
@@ -107,7 +115,7 @@ OptimizerResult DistributedOptimizer::Run(
   CheckOptions(options);
   if (!this->Mesh)
   {
-    return this->Optimizer::Run({}, {}, monitor);
+    return this->Optimizer::Run(options, {}, monitor);
   }
   const PetscSession session(this->Comm.Get());
   OptimizerOptions common = options;
@@ -115,6 +123,7 @@ OptimizerResult DistributedOptimizer::Run(
   common.roundToFloat = this->Comm.Maximum(options.roundToFloat) > 0;
   OptimizerResult result =
     this->ToPiece(this->Optimizer::Run(common, ArraysFromPiece(*this->Mesh, arrays), monitor));
+  result.volumeLoss = VolumeLossOfWhole(result.comparison);
   if (!options.computeNormals)
   {
     result.normals.resize(0, 3);

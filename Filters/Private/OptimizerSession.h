@@ -5,6 +5,7 @@
 
 #include "Core/Optimizer/Optimizer.h"
 #include "MeshNumbering.h"
+#include "ResultArrays.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
 
@@ -70,7 +71,14 @@ private:
   /// \param selection may be null
   lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
 
-  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* output) const;
+  /// Says what the user should know of a result: what could not move and what got worse.
+  void Warn(const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const;
+
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, lmo::ResultArrays& results,
+    vtkPolyData* output) const;
+
+  /// Cell normals of the new surface where the input has them.
+  void WriteCellNormals(vtkPolyData* output) const;
 
   /// True if points take the point data of their new places on the input.
   bool InterpolatesPointData() const;
@@ -79,7 +87,8 @@ private:
   void WritePointData(
     const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const;
 
-  void WriteMetrics(const lmo::OptimizerResult& result, vtkFieldData* fieldData) const;
+  void WriteMetrics(
+    const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const;
 
   lmo::MeshNumbering Numbering;
   vtkPolyData* Input = nullptr; ///< to be compared only

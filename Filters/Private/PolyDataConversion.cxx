@@ -102,26 +102,27 @@ void CheckExtent(const Points& points)
   }
 }
 
-std::string NameOf(vtkDataArray* array)
+std::string NameOf(vtkDataArray* array, const char* kind = "point")
 {
-  return "the point array '" + std::string(array->GetName() ? array->GetName() : "") + "'";
+  return "the " + std::string(kind) + " array '" +
+         std::string(array->GetName() ? array->GetName() : "") + "'";
 }
 
 template <typename Rows>
-Rows ReadArray(vtkDataArray* array, vtkIdType points)
+Rows ReadArray(vtkDataArray* array, vtkIdType count, const char* kind = "point")
 {
-  const std::string name = NameOf(array);
-  if (array->GetNumberOfTuples() != points ||
+  const std::string name = NameOf(array, kind);
+  if (array->GetNumberOfTuples() != count ||
       array->GetNumberOfComponents() != Rows::ColsAtCompileTime)
   {
     std::ostringstream text;
     text << "The size of " << name << " is wrong: it has " << array->GetNumberOfTuples()
-         << " tuples of " << array->GetNumberOfComponents() << " components; " << points
+         << " tuples of " << array->GetNumberOfComponents() << " components; " << count
          << " tuples of " << Rows::ColsAtCompileTime << " are needed. Choose another array.";
     throw InputError(text.str());
   }
   Rows rows = ReadTuples<Rows>(array);
-  FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), "point",
+  FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), kind,
     "Replace them, for example with vtkArrayCalculator.");
   return rows;
 }
@@ -213,7 +214,7 @@ Vector ReadFlags(vtkDataArray* array, const MeshNumbering& numbering)
 
 Vector ReadRegions(vtkDataArray* array, const MeshNumbering& numbering)
 {
-  return numbering.ToTriangles(ReadArray<Vector>(array, numbering.GetNumberOfCells()));
+  return numbering.ToTriangles(ReadArray<Vector>(array, numbering.GetNumberOfCells(), "cell"));
 }
 
 Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering)

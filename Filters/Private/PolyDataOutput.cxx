@@ -93,14 +93,14 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
   return array;
 }
 
-void AddRadiusRatios(
-  const char* name, const MeshQuality& quality, const MeshNumbering& numbering, vtkPolyData* output)
+void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
+  ResultArrays& results, vtkPolyData* output)
 {
   const Vector ofCells = numbering.LeastOfCells(quality.triangles, UndefinedQuality);
   auto cells = NewArray(name, 1, ofCells.size());
   std::copy(ofCells.begin(), ofCells.end(), cells->GetPointer(0));
-  output->GetCellData()->AddArray(cells);
-  output->GetPointData()->AddArray(MakeArray(name, quality.vertices, numbering));
+  results.Add(output->GetCellData(), cells);
+  results.Add(output->GetPointData(), MakeArray(name, quality.vertices, numbering));
 }
 
 namespace
@@ -124,14 +124,14 @@ struct ReplaceTuples
 };
 }
 
-void CheckNormals(vtkDataArray* normals, vtkIdType points)
+void CheckNormals(vtkDataArray* normals, vtkIdType count, const char* kind)
 {
-  if (normals->GetNumberOfTuples() != points || normals->GetNumberOfComponents() != 3)
+  if (normals->GetNumberOfTuples() != count || normals->GetNumberOfComponents() != 3)
   {
     std::ostringstream text;
-    text << "The point array '" << (normals->GetName() ? normals->GetName() : "")
+    text << "The " << kind << " array '" << (normals->GetName() ? normals->GetName() : "")
          << "' of normals has " << normals->GetNumberOfTuples() << " tuples of "
-         << normals->GetNumberOfComponents() << " components; " << points
+         << normals->GetNumberOfComponents() << " components; " << count
          << " tuples of 3 are needed. Repair or remove them.";
     throw InputError(text.str());
   }

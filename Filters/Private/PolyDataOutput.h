@@ -5,6 +5,7 @@
 
 #include "Core/Mesh/TriangleQuality.h"
 #include "MeshNumbering.h"
+#include "ResultArrays.h"
 
 #include "vtkSmartPointer.h"
 
@@ -33,12 +34,14 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 /// Adds the qualities of the cells to the cell data, of a strip the least of its triangles, and
 /// those of the vertices to the point data.
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
-  vtkPolyData* output);
+  ResultArrays& results, vtkPolyData* output);
 
-/// \throw InputError if a normals array has not three values per point.
-void CheckNormals(vtkDataArray* normals, vtkIdType points);
+/// \param count of the points or cells that the normals belong to
+/// \param kind what they belong to, for the error: "point" or "cell"
+/// \throw InputError if the array has not three values for each.
+void CheckNormals(vtkDataArray* normals, vtkIdType count, const char* kind);
 
-/// Copy of a normals array in its type. The rows of \a normals, one per point, replace its tuples
+/// Copy of a normals array in its type. The rows of \a normals, one per tuple, replace its tuples
 /// unless they are 0.
 vtkSmartPointer<vtkDataArray> ReplaceNormals(vtkDataArray* input, const Points& normals);
 }

@@ -60,14 +60,25 @@ void AddPeers(std::vector<Case>& cases)
   }
 }
 
+/// One solve in mode OPTIMIZE_TRIANGLES.
+Case OneSolve(const char* name, const char* title, const std::function<void(Optimizer*)>& choose)
+{
+  return MakeCase<Optimizer>(name, title,
+    [choose](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
+      choose(filter);
+    });
+}
+
 void AddTriangleCases(std::vector<Case>& cases)
 {
-  cases.push_back(MakeCase<Optimizer>("triangles-cdf", "CDF", [](Optimizer*) {}));
-  cases.push_back(MakeCase<Optimizer>("triangles-linear", "LINEAR",
+  cases.push_back(OneSolve("triangles-cdf", "CDF", [](Optimizer*) {}));
+  cases.push_back(OneSolve("triangles-linear", "LINEAR",
     [](Optimizer* filter) { filter->SetPositionWeighting(Optimizer::LINEAR); }));
-  cases.push_back(MakeCase<Optimizer>(
+  cases.push_back(OneSolve(
     "tangent-planes", "planes", [](Optimizer* filter) { filter->TangentPlaneConstraintsOn(); }));
-  cases.push_back(MakeCase<Optimizer>("resolve", "again",
+  cases.push_back(OneSolve("resolve", "again",
     [](Optimizer* filter)
     {
       filter->Update();

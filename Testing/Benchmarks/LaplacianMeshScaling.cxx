@@ -140,6 +140,7 @@ void GenerateIds(Piece& piece, vtkMPIController* controller)
 OptimizerOptions ChooseOptions(const char* smoothingWeight)
 {
   OptimizerOptions options;
+  options.mode = Mode::OPTIMIZE_TRIANGLES;
   options.solverType = SolverType::ITERATIVE;
   if (smoothingWeight)
   {

@@ -109,6 +109,7 @@ void CheckWeights(Checks& c)
   Vector expected = Vector::Ones(169);
   expected[12] = expected[156] = 0;
   OptimizerOptions options;
+  options.mode = Mode::OPTIMIZE_TRIANGLES;
   options.positionWeighting = PositionWeighting::LINEAR;
   // kappa is the same to round-off; where it is least among equals does not matter.
   const Vector linear = PositionWeights(analysis, options, {});

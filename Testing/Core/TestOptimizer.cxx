@@ -127,7 +127,6 @@ double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
   if (type == LaplacianType::MEAN_CURVATURE)
   {
     L = operators.meanCurvature;
-    L.rowScale *= SquaredLengthScale(L);
   }
   VertexArrays arrays;
   arrays.prescribedLaplacians = Apply(L, mesh.V);
@@ -144,6 +143,12 @@ void CheckFixedPointsOfTheEquations(Checks& c)
     1e-14);
   c.Error("the mesh's own L_ck V keeps it",
     MotionWithOwnLaplacians(mesh, LaplacianType::MEAN_CURVATURE), 1e-14);
+  for (const double unit : { 1e-3, 100. })
+  {
+    c.Error("the mesh's own L_ck V keeps it in another unit",
+      MotionWithOwnLaplacians(Transformed(mesh, unit), LaplacianType::MEAN_CURVATURE),
+      1e-13 * unit);
+  }
 
   const TestMesh grid = Grid(8, 0.3);
   for (const LaplacianType type : { LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 #include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 
+#include "Core/Operators/SharpVertices.h"
 #include "Core/Operators/Weights.h"
 
 #include <cmath>
@@ -115,6 +117,74 @@ void CheckLooseComponents(Checks& c)
 }
 }
 
+namespace
+{
+/// A square bar of length 10 and width 1 whose points all lie on its long edges, unevenly, so that
+/// its sides are strips of thin triangles; its ends are open.
+TestMesh Bar()
+{
+  const Index count = 30;
+  TestMesh bar{ Points(4 * count, 3), Triangles(8 * (count - 1), 3) };
+  Random random;
+  for (Index side = 0; side < 4; ++side)
+  {
+    for (Index k = 0; k < count; ++k)
+    {
+      const double x = (k + 0.45 * (k % (count - 1) != 0) * random()) * 10 / (count - 1);
+      bar.V.row(side * count + k) = Vector3(x, side == 1 || side == 2 ? 1 : 0, side >= 2 ? 1 : 0);
+    }
+    for (Index k = 0; k + 1 < count; ++k)
+    {
+      const Index a = side * count + k, b = (side + 1) % 4 * count + k;
+      bar.T.row(2 * (side * (count - 1) + k)) << a, a + 1, b;
+      bar.T.row(2 * (side * (count - 1) + k) + 1) << a + 1, b + 1, b;
+    }
+  }
+  return bar;
+}
+
+Vector Agreement(const TestMesh& mesh)
+{
+  return NormalAgreement(mesh.V, mesh.T, BuildTopology(static_cast<Index>(mesh.V.rows()), mesh.T));
+}
+
+void CheckSharpVertices(Checks& c)
+{
+  const TestMesh bar = Bar();
+  c.Error("normals at an edge of a right angle agree by cos 45 degrees, however long the triangles",
+    LargestMagnitude(Agreement(bar).array() - std::sqrt(0.5)), 1e-12);
+  c.Error("normals of a plane agree", LargestMagnitude(Agreement(Grid(6, 0.3)).array() - 1), 1e-12);
+  const MeshTopology topology = BuildTopology(120, bar.T);
+  c.True(
+    "all points of the bar are sharp", (SharpVertices(bar.V, bar.T, topology).array() == 1).all());
+  const TestMesh sphere = Icosphere(2);
+  c.True("no point of a sphere is sharp",
+    (SharpVertices(sphere.V, sphere.T, BuildTopology(162, sphere.T)).array() == 0).all());
+}
+
+/// Section 5.3: sharp vertices are kept, also where the others have no curvature to compare with.
+void CheckSharpFeatures(Checks& c)
+{
+  TestMesh box = Cube(1);
+  box.V.col(0) = 8 * box.V.col(0).array().square(); // sides of uneven, thin triangles
+  OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
+  options.positionWeighting = PositionWeighting::LINEAR;
+  options.laplacianWeighting = LaplacianWeighting::LINEAR_COMPLEMENT;
+  const OptimizerResult result = Run(box, options);
+  for (Index i = 0; i < static_cast<Index>(box.V.rows()); ++i)
+  {
+    const auto isOnSide = [&](double x, double size) { return x == 0 || x == size; };
+    const int sides =
+      isOnSide(box.V(i, 0), 8) + isOnSide(box.V(i, 1), 1) + isOnSide(box.V(i, 2), 1);
+    if (sides > 1)
+    {
+      c.Error("a vertex on an edge of the box stays: " + std::to_string(i),
+        result.displacements.row(i).norm(), 1e-12);
+    }
+  }
+}
+}
+
 int TestWeights(int, char*[])
 {
   Checks c;
@@ -122,5 +192,7 @@ int TestWeights(int, char*[])
   CheckLinearWeights(c);
   CheckOtherWeights(c);
   CheckLooseComponents(c);
+  CheckSharpVertices(c);
+  CheckSharpFeatures(c);
   return c.Result();
 }

@@ -230,9 +230,27 @@ bool IsEmpty(vtkPolyData* mesh)
          mesh->GetFieldData()->GetNumberOfArrays() == 0;
 }
 
+namespace
+{
+/// Keeps all errors and warnings.
+class MessageObserver : public vtkCommand
+{
+public:
+  static MessageObserver* New() { return new MessageObserver; }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    std::string& all = event == vtkCommand::ErrorEvent ? this->Heard.errors : this->Heard.warnings;
+    all += static_cast<const char*>(text);
+  }
+
+  Messages Heard;
+};
+}
+
 Messages Update(vtkAlgorithm* filter)
 {
-  vtkNew<vtkTest::ErrorObserver> observer;
+  vtkNew<MessageObserver> observer;
   vtkNew<vtkTest::ErrorObserver> executiveObserver;
   const unsigned long tags[] = { filter->AddObserver(vtkCommand::ErrorEvent, observer),
     filter->AddObserver(vtkCommand::WarningEvent, observer) };
@@ -245,7 +263,7 @@ Messages Update(vtkAlgorithm* filter)
     filter->RemoveObserver(filterTag);
   }
   filter->GetExecutive()->RemoveObserver(tag);
-  return { observer->GetErrorMessage(), observer->GetWarningMessage() };
+  return observer->Heard;
 }
 
 vtkSmartPointer<vtkPolyData> Optimized(
@@ -253,6 +271,7 @@ vtkSmartPointer<vtkPolyData> Optimized(
 {
   vtkNew<vtkLaplacianMeshOptimizer> filter;
   filter->SetInputData(input);
+  filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
   setUp(filter);
   filter->Update();
   return filter->GetOutput();

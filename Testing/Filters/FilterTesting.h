@@ -53,7 +53,7 @@ bool Contains(vtkFieldData* all, vtkFieldData* some);
 /// No points, no cells, no arrays.
 bool IsEmpty(vtkPolyData* mesh);
 
-/// What the filter said during an Update().
+/// What the filter said during an Update(), all of it.
 struct Messages
 {
   std::string errors;
@@ -61,7 +61,8 @@ struct Messages
 };
 Messages Update(vtkAlgorithm* filter);
 
-/// Output of a new vtkLaplacianMeshOptimizer.
+/// Output of a new vtkLaplacianMeshOptimizer, in mode OPTIMIZE_TRIANGLES unless setUp() chooses
+/// another one.
 vtkSmartPointer<vtkPolyData> Optimized(
   vtkPolyData* input,
   const std::function<void(vtkLaplacianMeshOptimizer*)>& setUp = [](vtkLaplacianMeshOptimizer*) {});

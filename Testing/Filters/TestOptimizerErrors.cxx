@@ -4,8 +4,10 @@
 #include "FilterTesting.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
@@ -32,6 +34,7 @@ void CheckRefusal(Checks& c, const std::string& what,
   const std::function<void(Optimizer*, vtkPolyData*)>& spoil, const std::vector<std::string>& texts)
 {
   vtkNew<Optimizer> filter;
+  filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
   filter->SetInputData(MakePolyData(Icosphere(1)));
   filter->Update();
 
@@ -49,7 +52,7 @@ void CheckRefusal(Checks& c, const std::string& what,
   filter->SetMode(defaults->GetMode());
   filter->SetPositionWeighting(defaults->GetPositionWeighting());
   filter->SetLaplacianWeighting(defaults->GetLaplacianWeighting());
-  for (int index = 0; index < 4; ++index)
+  for (int index = 0; index < 5; ++index)
   {
     filter->SetInputArrayToProcess(index, 0, 0, 0, "None");
   }
@@ -193,6 +196,25 @@ void CheckArray(Checks& c, const std::string& name, int index, int components, b
     { "'Missing'", "Choose" });
 }
 
+/// As surface nets give it: the labels on both sides of each cell.
+void CheckCellArray(Checks& c)
+{
+  CheckRefusal(c, "a cell array with wrong components",
+    [](Optimizer* filter, vtkPolyData* input)
+    {
+      vtkNew<vtkDoubleArray> labels;
+      labels->SetName("Labels");
+      labels->SetNumberOfComponents(2);
+      labels->SetNumberOfTuples(80);
+      labels->Fill(0);
+      input->GetCellData()->AddArray(labels);
+      filter->FeatureConstraintsOn();
+      filter->SetInputArrayToProcess(
+        Optimizer::FEATURE_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
+    },
+    { "the cell array 'Labels'", "2 components", "80 tuples of 1" });
+}
+
 void CheckNoArray(Checks& c, const std::string& name, const std::function<void(Optimizer*)>& choose)
 {
   CheckRefusal(c, name + " that are not chosen",
@@ -213,6 +235,7 @@ void CheckArrays(Checks& c)
   CheckArray(
     c, "prescribed Laplacians", Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 3, false, prescribed);
   CheckArray(c, "fixed points", Optimizer::FIXED_POINT_ARRAY, 1, false, nothing);
+  CheckCellArray(c);
   CheckNoArray(c, "position weights", weights);
   CheckNoArray(c, "anchors", anchors);
   CheckNoArray(c, "Laplacian weights", falloff);

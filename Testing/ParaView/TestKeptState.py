@@ -41,7 +41,7 @@ def build():
         "Laplacian": MeshLaplacian(Input=sphere),
         "Ratio": TriangleRadiusRatio(Input=sphere),
         "Deviation": deviation,
-        "Preset": SmoothandFairCAD(Input=sphere, ScaleFactor=0.5),
+        "Preset": SmoothandFairPaperCAD(Input=sphere, ScaleFactor=0.5),
     }
 
 

@@ -91,7 +91,10 @@ class Isosurface(unittest.TestCase):
     def setUp(self):
         self.surface = isosurface()
         self.optimizer = LaplacianMeshOptimizer(
-            Input=self.surface, BoundaryCondition="Free", Tolerance=1e-12
+            Input=self.surface,
+            Mode="Optimize Triangles",
+            BoundaryCondition="Free",
+            Tolerance=1e-12,
         )
 
     def test_the_surface_is_in_pieces(self):

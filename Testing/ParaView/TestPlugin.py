@@ -90,11 +90,29 @@ PROPERTIES = {
 
 # XML name, function, settings other than the defaults.
 PRESETS = [
-    ("ImproveTriangleQuality", "ImproveTriangleQualitynoRemesh", {}),
+    (
+        "ImproveTriangleQuality",
+        "ImproveTriangleQualitynoRemesh",
+        {"Mode": "Optimize Triangles"},
+    ),
+    (
+        "ImproveTriangleQualityFeatures",
+        "ImproveTriangleQualitynoRemeshCAD",
+        {
+            "Mode": "Optimize Triangles",
+            "PositionWeighting": "Constant",
+            "ScaleFactor": 0.1,
+            "FeatureConstraints": 1,
+        },
+    ),
     (
         "ImproveTriangleQualityCAD",
-        "ImproveTriangleQualitynoRemeshCAD",
-        {"PositionWeighting": "Linear", "LaplacianWeighting": "Linear Complement"},
+        "ImproveTriangleQualityPaperCAD",
+        {
+            "Mode": "Optimize Triangles",
+            "PositionWeighting": "Linear",
+            "LaplacianWeighting": "Linear Complement",
+        },
     ),
     (
         "SmoothAndFair",
@@ -107,8 +125,19 @@ PRESETS = [
         },
     ),
     (
-        "SmoothAndFairCAD",
+        "SmoothAndFairFeatures",
         "SmoothandFairCAD",
+        {
+            "Mode": "Smooth",
+            "PositionWeighting": "Constant",
+            "ScaleFactor": 0.3,
+            "FeatureConstraints": 1,
+            "PreserveVolume": 1,
+        },
+    ),
+    (
+        "SmoothAndFairCAD",
+        "SmoothandFairPaperCAD",
         {
             "Mode": "Smooth",
             "PositionWeighting": "Linear",
@@ -119,7 +148,7 @@ PRESETS = [
     (
         "BestTrianglesWithinError",
         "BestTriangleswithinanErrornoRemesh",
-        {"Mode": "Optimize Within Deviation"},
+        {},
     ),
     (
         "RemoveNoise",
@@ -134,6 +163,8 @@ PRESETS = [
     ),
     ("RemoveNoiseCAD", "RemoveNoiseCAD", {"Mode": "Smooth Guided"}),
 ]
+
+SETTINGS = {function: settings for _, function, settings in PRESETS}
 
 MENU = [*PROPERTIES, *(name for name, _, _ in PRESETS)]
 
@@ -275,8 +306,9 @@ class OptimizerEffects(unittest.TestCase):
 
     def assert_moves_points(self, context=None, **change):
         surface = half_sphere()
-        before = LaplacianMeshOptimizer(Input=surface, **(context or {}))
-        after = LaplacianMeshOptimizer(Input=surface, **{**(context or {}), **change})
+        context = {"Mode": "Optimize Triangles", **(context or {})}
+        before = LaplacianMeshOptimizer(Input=surface, **context)
+        after = LaplacianMeshOptimizer(Input=surface, **{**context, **change})
         self.assertEqual(len(points(after)), len(points(surface)))
         self.assertGreater(np.abs(points(after) - points(before)).max(), 1e-5)
 
@@ -331,7 +363,10 @@ class OptimizerEffects(unittest.TestCase):
 
     def test_fixed_point_array(self):
         optimizer = LaplacianMeshOptimizer(
-            Input=half_sphere(), BoundaryCondition="Free", FixedPointArray=("POINTS", "upper")
+            Input=half_sphere(),
+            Mode="Optimize Triangles",
+            BoundaryCondition="Free",
+            FixedPointArray=("POINTS", "upper"),
         )
         moves = point_array(optimizer, "Displacement").any(axis=1)
         self.assertTrue((moves == (point_array(optimizer, "upper") == 0)).all())
@@ -344,7 +379,10 @@ class OptimizerEffects(unittest.TestCase):
         ]
         for selection, selected in selections:
             optimizer = LaplacianMeshOptimizer(
-                Input=surface, BoundaryCondition="Free", Selection=selection
+                Input=surface,
+                Mode="Optimize Triangles",
+                BoundaryCondition="Free",
+                Selection=selection,
             )
             self.assertEqual(moved_points(optimizer), all_points(surface) - selected)
             optimizer.SelectionUse = "Only Selected Points Move"
@@ -354,19 +392,21 @@ class OptimizerEffects(unittest.TestCase):
 
     def test_solver_type(self):
         surface = half_sphere()
-        direct = LaplacianMeshOptimizer(Input=surface, SolverType="Direct")
-        iterative = LaplacianMeshOptimizer(Input=surface, SolverType="Iterative")
+        direct = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", SolverType="Direct")
+        iterative = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", SolverType="Iterative")
         self.assertEqual(figure(direct, "Iterations"), 0)
         self.assertGreater(figure(iterative, "Iterations"), 0)
 
     def test_tolerance(self):
         surface = half_sphere()
-        coarse = LaplacianMeshOptimizer(Input=surface, Tolerance=1e-2)
-        fine = LaplacianMeshOptimizer(Input=surface, Tolerance=1e-10)
+        coarse = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", Tolerance=1e-2)
+        fine = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", Tolerance=1e-10)
         self.assertLess(figure(coarse, "Iterations"), figure(fine, "Iterations"))
 
     def test_maximum_number_of_iterations(self):
-        optimizer = LaplacianMeshOptimizer(Input=half_sphere(), MaximumNumberOfIterations=1)
+        optimizer = LaplacianMeshOptimizer(
+            Input=half_sphere(), Mode="Optimize Triangles", MaximumNumberOfIterations=1
+        )
         self.assertEqual(figure(optimizer, "Iterations"), 1)
 
     def test_compute_normals(self):
@@ -483,7 +523,7 @@ class Presets(unittest.TestCase):
 
     def test_presets_can_be_changed(self):
         smooth = SmoothandFair(Input=Sphere(), ScaleFactor=0.05)
-        changed = LaplacianMeshOptimizer(Input=Sphere(), **{**PRESETS[2][2], "ScaleFactor": 0.05})
+        changed = LaplacianMeshOptimizer(Input=Sphere(), **{**SETTINGS["SmoothandFair"], "ScaleFactor": 0.05})
         self.assertTrue((points(smooth) == points(changed)).all())
 
     def test_the_panel_of_a_preset_is_that_of_the_optimizer(self):

@@ -209,6 +209,7 @@ vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& set
 {
   vtkNew<vtkDummyController> alone;
   vtkNew<vtkPLaplacianMeshOptimizer> filter;
+  filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
   filter->SetController(alone);
   filter->SetInputData(whole);
   setUp(filter);

@@ -97,6 +97,7 @@ void CheckEmpty(MpiJob& job, Checks& c)
 {
   vtkNew<vtkPolyData> nothing;
   vtkNew<Optimizer> filter;
+  filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
   filter->SetInputData(nothing);
   const Messages messages = Update(filter);
   c.Error("all pieces may be empty", job.Largest(!messages.errors.empty()), 0);
@@ -131,6 +132,7 @@ void CheckSecondExecution(MpiJob& job, Checks& c)
   const auto whole = MakePolyData(mesh);
   PieceOfMesh piece = TakePiece(whole, Sectors(mesh), job.Rank(), job.Size());
   vtkNew<Optimizer> filter;
+  filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
   filter->SetInputData(piece.surface);
   filter->Update();
   Demanding(filter);

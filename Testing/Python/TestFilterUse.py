@@ -116,6 +116,7 @@ class InputArrays(unittest.TestCase):
 
     def optimized(self, index, values, **properties):
         optimizer = vtkLaplacianMeshOptimizer()
+        optimizer.SetMode(vtkLaplacianMeshOptimizer.OPTIMIZE_TRIANGLES)
         optimizer.SetInputData(testing.to_polydata(self.MESH, chosen=values))
         optimizer.SetInputArrayToProcess(index, 0, 0, POINTS, "chosen")
         for name, value in properties.items():
@@ -160,6 +161,60 @@ class InputArrays(unittest.TestCase):
         )
         self.assertLess(np.abs(testing.point_array(output, "Displacement")).max(), 1e-14)
 
+    def test_mean_curvature_normals_of_the_mesh_itself_move_nothing_in_any_unit(self):
+        meshes = {
+            "torus": testing.torus(9, 8),
+            "patch": testing.patch(9, 8),
+            "box": testing.box(5, bulge=0.1)[0],
+        }
+        boundaries = [vtkLaplacianMeshOptimizer.FIXED, vtkLaplacianMeshOptimizer.FREE]
+        for name, (V, T) in meshes.items():
+            for unit in (1e-3, 1, 100):
+                for boundary in boundaries:
+                    with self.subTest(mesh=name, unit=unit, boundary=boundary):
+                        self.assertLess(self.motion_by_own_normals((V * unit, T), boundary), 1e-9)
+
+    def motion_by_own_normals(self, mesh, boundary):
+        """Of the points, divided by the size of the mesh."""
+        laplacian = testing.updated(vtkMeshLaplacian, testing.to_polydata(mesh)).GetOutput()
+        optimizer = vtkLaplacianMeshOptimizer()
+        optimizer.SetInputData(laplacian)
+        optimizer.SetMode(vtkLaplacianMeshOptimizer.PRESCRIBED_LAPLACIANS)
+        optimizer.SetLaplacianType(vtkLaplacianMeshOptimizer.MEAN_CURVATURE)
+        optimizer.SetBoundaryCondition(boundary)
+        optimizer.SetInputArrayToProcess(
+            vtkLaplacianMeshOptimizer.PRESCRIBED_LAPLACIAN_ARRAY,
+            0,
+            0,
+            POINTS,
+            "MeanCurvatureNormal",
+        )
+        optimizer.Update()
+        return optimizer.GetRelativeMaximumDisplacement()
+
+    def test_twice_the_mean_curvature_normals_move_the_surface_alike_in_any_unit(self):
+        V, T = testing.torus(9, 8)
+        moved = []
+        for unit in (1e-3, 1, 100):
+            mesh = testing.to_polydata((V * unit, T))
+            normals = testing.point_array(
+                testing.updated(vtkMeshLaplacian, mesh).GetOutput(), "MeanCurvatureNormal"
+            )
+            mesh = testing.to_polydata((V * unit, T), chosen=2 * normals)
+            optimizer = vtkLaplacianMeshOptimizer()
+            optimizer.SetInputData(mesh)
+            optimizer.SetMode(vtkLaplacianMeshOptimizer.PRESCRIBED_LAPLACIANS)
+            optimizer.SetLaplacianType(vtkLaplacianMeshOptimizer.MEAN_CURVATURE)
+            optimizer.SetSolverType(vtkLaplacianMeshOptimizer.DIRECT)
+            optimizer.SetInputArrayToProcess(
+                vtkLaplacianMeshOptimizer.PRESCRIBED_LAPLACIAN_ARRAY, 0, 0, POINTS, "chosen"
+            )
+            optimizer.Update()
+            moved.append(testing.points_of(optimizer.GetOutput()) / unit - V)
+        self.assertGreater(np.abs(moved[1]).max(), 0.01)
+        for other in (moved[0], moved[2]):
+            self.assertLess(np.abs(other - moved[1]).max(), 1e-9)
+
     def test_fixed_points_do_not_move(self):
         output = self.optimized(vtkLaplacianMeshOptimizer.FIXED_POINT_ARRAY, self.SOME)
         moves = testing.point_array(output, "Displacement").any(axis=1)
@@ -173,6 +228,7 @@ class CompositeInput(unittest.TestCase):
         for number, surface in enumerate(surfaces):
             blocks.SetBlock(number, surface)
         optimizer = vtkLaplacianMeshOptimizer()
+        optimizer.SetMode(vtkLaplacianMeshOptimizer.OPTIMIZE_TRIANGLES)
         optimizer.SetInputDataObject(blocks)
         optimizer.Update()
         output = optimizer.GetOutputDataObject(0)

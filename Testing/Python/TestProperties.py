@@ -182,7 +182,7 @@ class Panels(unittest.TestCase):
             self.assertEqual(prop.get("name"), key)
 
     def test_presets_change_defaults_alone(self):
-        self.assertEqual(len(PRESETS), 7)
+        self.assertEqual(len(PRESETS), 9)
         for preset in PRESETS:
             base = commanded(PROXIES[preset.get("base_proxyname")], "Set")
             self.assertEqual(preset.get("class"), "vtkLaplacianMeshOptimizer")

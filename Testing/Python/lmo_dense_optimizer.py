@@ -65,6 +65,11 @@ class DenseOptimizer:
             f = np.zeros_like(V)
         elif self.Mode == "PRESCRIBED_LAPLACIANS":
             f = self.prescribed_laplacian_array.copy()
+            if self.LaplacianType == "MEAN_CURVATURE":
+                # Mean curvature normals, at the boundary those of vtkMeshLaplacian.
+                change = f - reference.mean_curvature_normals(V, T)
+                own = reference.mean_curvature_laplacian(V, T) @ V
+                f = reference.squared_length_scale(V, T) * (own + change)
         else:
             f = reference.normalised(reference.cotangent_weights(V, T)) @ V
         if self.BoundaryCondition == "SLIDING":
@@ -79,7 +84,7 @@ class DenseOptimizer:
         else:
             weights = self.ScaleFactor * {
                 "CONSTANT": lambda: np.ones(len(V)),
-                "LINEAR": lambda: reference.linear_weights(kappa, used),
+                "LINEAR": lambda: self.linear_weights(V, T),
                 "CDF": lambda: reference.cumulative_weights(kappa, used),
                 "ANCHORS": lambda: (self.position_weight_array != 0).astype(float),
             }[self.PositionWeighting]()
@@ -88,12 +93,21 @@ class DenseOptimizer:
         is_held = reference.components(len(V), T) @ (self.is_fixed(V, T) | (weights > 0))
         return np.where(is_held, weights, self.ScaleFactor)
 
+    def linear_weights(self, V, T):
+        """1 at sharp vertices if both weightings are those for sharp features."""
+        kappa, used = reference.mean_curvatures(V, T), reference.is_used(len(V), T)
+        weights = reference.linear_weights(kappa, used)
+        pair = (self.PositionWeighting, self.LaplacianWeighting)
+        if pair == ("LINEAR", "LINEAR_COMPLEMENT"):
+            weights[reference.sharp_vertices(V, T)] = 1
+        return weights
+
     def laplacian_weights(self, V, T):
         """The diagonal of W_L."""
         kappa, used = reference.mean_curvatures(V, T), reference.is_used(len(V), T)
         return {
             "CONSTANT": lambda: np.ones(len(V)),
-            "LINEAR_COMPLEMENT": lambda: 1 - reference.linear_weights(kappa, used),
+            "LINEAR_COMPLEMENT": lambda: 1 - self.linear_weights(V, T),
             "CDF_COMPLEMENT": lambda: 1 - reference.cumulative_weights(kappa, used),
             "GAUSSIAN": lambda: reference.gaussian_weights(kappa, used, self.GaussianWidth),
             "ARRAY": lambda: self.laplacian_weight_array,

@@ -183,6 +183,18 @@ def linear_weights(kappa, used):
     return np.clip((kappa - low) / (high - low), 0, 1) if high > low else (kappa > low) * 1.0
 
 
+def sharp_vertices(V, T):
+    """Points where the angle-weighted mean of the unit normals is shorter than cos 30 degrees."""
+    normals = scaled_normals(V, T)
+    units = normals / np.linalg.norm(normals, axis=1)[:, np.newaxis]
+    sums, weights = np.zeros_like(V), np.zeros(len(V))
+    for corner in range(3):
+        at_corner = angles(V, T)[:, corner]
+        np.add.at(sums, T[:, corner], at_corner[:, np.newaxis] * units)
+        np.add.at(weights, T[:, corner], at_corner)
+    return np.linalg.norm(sums, axis=1) < np.cos(np.pi / 6) * weights
+
+
 def cumulative_weights(kappa, used):
     """Eqn. 13."""
     return (kappa[used] <= kappa[:, np.newaxis]).mean(axis=1)

@@ -52,8 +52,13 @@ def figure(polydata, name):
 
 
 def updated(filter_class, polydata, **properties):
-    """A filter of that class, with its properties set, after Update()."""
+    """A filter of that class, with its properties set, after Update().
+
+    The optimizer solves once, in mode OPTIMIZE_TRIANGLES, unless the properties say otherwise.
+    """
     vtk_filter = filter_class()
+    if vtk_filter.IsA("vtkLaplacianMeshOptimizer"):
+        vtk_filter.SetMode(vtk_filter.OPTIMIZE_TRIANGLES)
     vtk_filter.SetInputData(polydata)
     for name, value in properties.items():
         getattr(vtk_filter, "Set" + name)(value)

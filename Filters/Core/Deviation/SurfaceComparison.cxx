@@ -74,6 +74,8 @@ SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
   comparison.relativeVolumeChange =
     isClosed ? RelativeVolumeChange(before, after, triangles, box.center().transpose(), subdomain)
              : 0;
+  comparison.triangles =
+    static_cast<std::int64_t>(SumOverTriangles(triangles, subdomain, [](Index) { return 1.0; }));
   comparison.flippedTriangles =
     static_cast<std::int64_t>(CountFlippedTriangles(before, after, triangles, subdomain));
   return comparison;

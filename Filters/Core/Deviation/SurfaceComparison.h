@@ -19,6 +19,7 @@ struct SurfaceComparison
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
   double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
+  std::int64_t triangles = 0;             ///< number of them
   std::int64_t flippedTriangles = 0;      ///< normal turned by more than a right angle
 };
 

@@ -16,8 +16,8 @@ namespace lmo
 {
 namespace
 {
-constexpr Index FewestEdges = 10; ///< of a line that ends somewhere on the surface
-constexpr double FlatShare = 0.25;  ///< of the angle, below which edges are flat
+constexpr Index FewestEdges = 10;                  ///< of a line that ends somewhere on the surface
+constexpr double FlatShare = 0.25;                 ///< of the angle, below which edges are flat
 constexpr double FlatSharePerEnd = FlatShare / 40; ///< the same for small groups of edges
 constexpr double PlaneShare = 0.025; ///< of the angle, below which edges lie in a plane
 
@@ -207,13 +207,13 @@ struct Group
     const bool isBesideFlat = this->angleBeside < flat * angle * this->beside;
     const bool isBesidePlanes = 2 * this->inPlanes >= this->beside;
     return (isWhole || this->solidEnds >= 2 * FewestEdges) &&
-      (isLine || isBesideFlat || isBesidePlanes);
+           (isLine || isBesideFlat || isBesidePlanes);
   }
 };
 
 /// Drops the groups of connected edges that are no feature.
-AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V,
-  const MeshTopology& topology, const EdgeAngles& angles, double angle)
+AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const MeshTopology& topology,
+  const EdgeAngles& angles, double angle)
 {
   const std::vector<Index> groupOf = ConnectedComponents(edges);
   const FeatureLines lines = ClassifyLines(std::make_shared<AdjacencyLists>(edges), V);
@@ -225,8 +225,8 @@ AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V,
       Group& group = groups[groupOf[i]];
       group.ends += edges.Size(i);
       group.freeEnds += edges.Size(i) == 1 && !topology.isBoundary[i];
-      group.solidEnds += std::count_if(edges.Begin(i), edges.End(i),
-        [&](Index j) { return !angles.IsBesideThin(i, j); });
+      group.solidEnds += std::count_if(
+        edges.Begin(i), edges.End(i), [&](Index j) { return !angles.IsBesideThin(i, j); });
       group.junctions += edges.Size(i) > 2;
       group.corners += lines.pointClass[i] == FeatureLines::CORNER;
       group.inner += lines.pointClass[i] == FeatureLines::EDGE;

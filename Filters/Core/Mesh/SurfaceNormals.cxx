@@ -15,10 +15,10 @@ namespace lmo
 namespace
 {
 constexpr double ThinQuality = 0.1;
-constexpr double LongShare = 0.5;      ///< of the longest edge, from which an edge is long
-constexpr double ErrorShare = 20;      ///< error of a normal over that of a point by the height
-constexpr double LargestError = 0.5;   ///< radians, from which a normal says nothing
-constexpr int LongestChain = 100;      ///< of triangles without a normal
+constexpr double LongShare = 0.5;    ///< of the longest edge, from which an edge is long
+constexpr double ErrorShare = 20;    ///< error of a normal over that of a point by the height
+constexpr double LargestError = 0.5; ///< radians, from which a normal says nothing
+constexpr int LongestChain = 100;    ///< of triangles without a normal
 
 /// The edges of a triangle: edge k leaves corner k.
 struct Edges
@@ -132,7 +132,8 @@ double RoundOffOf(const Points& V, const MeshTopology& topology)
   constexpr double single = std::numeric_limits<float>::epsilon() / 2;
   constexpr double precise = std::numeric_limits<double>::epsilon() / 2;
   const double largest = V.size() > 0 ? V.cwiseAbs().maxCoeff() : 0;
-  const bool areSingle = V.size() == 0 || (V.array() == V.cast<float>().cast<double>().array()).all();
+  const bool areSingle =
+    V.size() == 0 || (V.array() == V.cast<float>().cast<double>().array()).all();
   return areSingle ? single * largest
                    : std::max(single * BoundingBoxDiagonal(V, topology), precise * largest);
 }
@@ -173,8 +174,7 @@ double SurfaceNormals::Angle(Index s, Index t) const
   const double joined = AngleBetween(this->Joined.row(s), this->Joined.row(t));
   const bool haveNormals = !this->Own.row(s).isZero(0) && !this->Own.row(t).isZero(0);
   const bool isThin = this->Thin[s] || this->Thin[t];
-  return isThin && haveNormals
-    ? std::min(joined, AngleBetween(this->Own.row(s), this->Own.row(t)))
-    : joined;
+  return isThin && haveNormals ? std::min(joined, AngleBetween(this->Own.row(s), this->Own.row(t)))
+                               : joined;
 }
 }

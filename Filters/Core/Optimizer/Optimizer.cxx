@@ -51,6 +51,11 @@ OptimizerResult Complete(
   }
   result.comparison = CompareSurfaces(V, result.positions, T, mesh.GetPolygons(), mesh.GetQuality(),
     mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
+  result.freedom = plan.freedom;
+  if (plan.options.mode == Mode::SMOOTH || plan.options.mode == Mode::SMOOTH_GUIDED)
+  {
+    result.volumeLoss = MeasureVolumeLoss(mesh, result.positions);
+  }
   return result;
 }
 }

@@ -6,6 +6,7 @@
 #include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Optimizer/RunPlan.h"
+#include "Core/Optimizer/VolumeLoss.h"
 #include "Core/Solvers/PreconditionerCache.h"
 
 namespace lmo
@@ -18,6 +19,8 @@ struct OptimizerResult : ModeResult
   Vector featureClass;          ///< FeatureLines::Class of each vertex; no rows without features
   Points normals;               ///< vertex normals of V', 0 where undefined; no rows if not wanted
   SurfaceComparison comparison; ///< of V and V'
+  VolumeLoss volumeLoss;        ///< of the smoothing modes
+  VertexFreedom freedom;
 };
 
 /// Laplacian mesh optimization of one mesh, any number of times: what depends on the mesh alone is

@@ -65,7 +65,7 @@ struct GuideOptions
 /// The properties of vtkLaplacianMeshOptimizer; see there for meaning and ranges.
 struct OptimizerOptions
 {
-  Mode mode = Mode::OPTIMIZE_TRIANGLES;
+  Mode mode = Mode::OPTIMIZE_WITHIN_DEVIATION;
   LaplacianType laplacianType = LaplacianType::UNIFORM;
   bool robustLaplacian = false;
   PositionWeighting positionWeighting = PositionWeighting::CDF;

@@ -7,6 +7,7 @@
 #include "Core/Mesh/FeatureDetection.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/Curvature.h"
+#include "Core/Operators/SharpVertices.h"
 #include "Core/Optimizer/CurveSmoothing.h"
 #include "Core/Optimizer/DeviationProblem.h"
 #include "Core/Optimizer/GuidedSchedule.h"
@@ -34,6 +35,23 @@ const Values& Require(
   return *array;
 }
 
+/// W_linear of section 5, without s. Together with its complement, which is to keep sharp features
+/// (section 5.3), sharp vertices have 1: the range of curvature of the mesh alone says little where
+/// all vertices lie on edges, as those of a tessellated CAD part do.
+Vector LinearScheme(const CotangentQuantities& quantities, const OptimizerOptions& options)
+{
+  const MeshQuantities& mesh = quantities.GetMesh();
+  const Vector linear = LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics());
+  if (options.positionWeighting != PositionWeighting::LINEAR ||
+      options.laplacianWeighting != LaplacianWeighting::LINEAR_COMPLEMENT)
+  {
+    return linear;
+  }
+  Vector sharp = SharpVertices(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology());
+  mesh.GetSubdomain().UpdateCopies(sharp);
+  return linear.cwiseMax(sharp);
+}
+
 /// Sections 5 and 6: the diagonal of W_p before W_t.
 Vector SchemePositionWeights(const CotangentQuantities& quantities, const OptimizerOptions& options,
   const VertexArrays& arrays)
@@ -44,7 +62,7 @@ Vector SchemePositionWeights(const CotangentQuantities& quantities, const Optimi
   switch (options.positionWeighting)
   {
     case PositionWeighting::LINEAR:
-      return s * LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics());
+      return s * LinearScheme(quantities, options);
     case PositionWeighting::CDF:
       return s * quantities.GetCumulativeWeights();
     case PositionWeighting::ANCHORS:
@@ -121,6 +139,16 @@ AdjacencyLists FeatureEdges(
   return none;
 }
 
+/// c = l^2 (f - kappa n) for mean curvature normals f (Eqn. 7) in the unit 1 / length, where l^2 is
+/// the factor of L. Boundary vertices are compared to the kappa n of their inner neighbours, as
+/// MeanCurvatureNormals() gives it, so that the mesh's own normals move nothing.
+Points CurvatureNormalTarget(const CotangentQuantities& quantities, const Points& prescribed)
+{
+  const double squaredLength = SquaredLengthScale(
+    quantities.MakeLaplacian(LaplacianType::MEAN_CURVATURE), quantities.GetMesh().GetSubdomain());
+  return squaredLength * (prescribed - quantities.ComputeMeanCurvatureNormals());
+}
+
 /// c = f - L V, with f of section 4.
 std::shared_ptr<const Points> ChooseTarget(const CotangentQuantities& quantities,
   const Laplacian& L, const OptimizerOptions& options, const VertexArrays& arrays)
@@ -130,13 +158,15 @@ std::shared_ptr<const Points> ChooseTarget(const CotangentQuantities& quantities
   {
     return quantities.GetDetailTarget();
   }
-  Points target = -Apply(L, mesh.GetPoints());
-  if (options.mode == Mode::PRESCRIBED_LAPLACIANS)
+  if (options.mode != Mode::PRESCRIBED_LAPLACIANS)
   {
-    target += Require(mesh, arrays.prescribedLaplacians,
-      "The mode needs a point array of prescribed Laplacians with 3 components");
+    return std::make_shared<const Points>(-Apply(L, mesh.GetPoints()));
   }
-  return std::make_shared<const Points>(std::move(target));
+  const Points& prescribed = Require(mesh, arrays.prescribedLaplacians,
+    "The mode needs a point array of prescribed Laplacians with 3 components");
+  return std::make_shared<const Points>(options.laplacianType == LaplacianType::MEAN_CURVATURE
+                                          ? CurvatureNormalTarget(quantities, prescribed)
+                                          : prescribed - Apply(L, mesh.GetPoints()));
 }
 
 /// Rows that spread the vertices evenly along their line and leave its shape alone: the prescribed
@@ -292,8 +322,7 @@ Vector LaplacianWeights(const CotangentQuantities& quantities, const OptimizerOp
   switch (options.laplacianWeighting)
   {
     case LaplacianWeighting::LINEAR_COMPLEMENT:
-      return ComplementWeights(
-        LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics()));
+      return ComplementWeights(LinearScheme(quantities, options));
     case LaplacianWeighting::CDF_COMPLEMENT:
       return ComplementWeights(quantities.GetCumulativeWeights());
     case LaplacianWeighting::GAUSSIAN:
@@ -332,6 +361,7 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
   {
     plan.problem = SetUpProblem(quantities, type, problemOptions, arrays, plan.lines);
   }
+  plan.freedom = CountFreedom(mesh, plan.problem.motion, options, arrays);
   return plan;
 }
 }

@@ -7,6 +7,7 @@
 #include "Core/Mesh/FeatureLines.h"
 #include "Core/Operators/CotangentWeights.h"
 #include "Core/Optimizer/OptimizerOptions.h"
+#include "Core/Optimizer/ResultReview.h"
 
 #include <functional>
 
@@ -24,6 +25,7 @@ struct RunPlan
   Vector featureClass; ///< FeatureLines::Class of each vertex; no rows without features
   std::optional<FeatureLines> lines; ///< along which vertices slide
   Points start; ///< V with smoothed curves, which \a problem starts from; no rows if that is V
+  VertexFreedom freedom;
   LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
 };

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_ResultReview_h
+#define lmo_ResultReview_h
+
+#include "Core/Mesh/DisplacementConstraints.h"
+#include "Core/Optimizer/OptimizerOptions.h"
+#include "Core/Optimizer/VolumeLoss.h"
+
+#include <string>
+#include <vector>
+
+namespace lmo
+{
+/// How many vertices of the whole mesh may move, and why the others may not; every vertex counts
+/// once, at the first of the reasons.
+struct VertexFreedom
+{
+  std::int64_t movable = 0;
+  std::int64_t movableWithoutArea = 0; ///< of these, vertices whose triangles all have no area
+  std::int64_t unused = 0;             ///< no triangle uses the vertex
+  std::int64_t pinned = 0;     ///< in VertexArrays::fixedPoints, to which the selection belongs
+  std::int64_t onBoundary = 0; ///< on a boundary that is fixed
+  std::int64_t corners = 0;    ///< corners of feature lines, and of a boundary that slides
+
+  void operator+=(const VertexFreedom& other);
+};
+
+/// \param motion what ChooseMotion() returned
+VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& motion,
+  const OptimizerOptions& options, const VertexArrays& arrays);
+
+/// Says that no vertex may move, or that those that may have no triangle with area, with counts
+/// and the remedy. Empty if neither is so, and for a mesh without vertices.
+std::string WarnOfFreedom(const VertexFreedom& freedom);
+
+/// Says what a solution did to the shape that its user will hardly want, with figures and the
+/// remedy, one text for each of these:
+/// - OPTIMIZE_TRIANGLES lowered the mean radius ratio;
+/// - more than one triangle in a thousand turned by more than a right angle;
+/// - smoothing took more than a tenth of its volume from a closed component, or
+///   OPTIMIZE_TRIANGLES changed that of a closed surface by more than a tenth.
+/// OPTIMIZE_WITHIN_DEVIATION has guarantees instead.
+std::vector<std::string> WarnOfDamage(
+  const OptimizerOptions& options, const SurfaceComparison& comparison, const VolumeLoss& loss);
+}
+
+#endif
