@@ -35,7 +35,7 @@ const std::map<std::string, Limits> PropertyLimits = {
   { "LaplacianType", { { -1, 3, 99 }, { 0, 2 }, "choose a value from 0 to 2." } },
   { "PositionWeighting", { { -1, 5, 99 }, { 0, 4 }, "choose a value from 0 to 4." } },
   { "LaplacianWeighting", { { -1, 5, 99 }, { 0, 4 }, "choose a value from 0 to 4." } },
-  { "BoundaryCondition", { { -1, 3, 99 }, { 0, 2 }, "choose a value from 0 to 2." } },
+  { "BoundaryCondition", { { -1, 4, 99 }, { 0, 3 }, "choose a value from 0 to 3." } },
   { "SelectionUse", { { -1, 2, 99 }, { 0, 1 }, "choose a value from 0 to 1." } },
   { "SolverType", { { -1, 3, 99 }, { 0, 2 }, "choose a value from 0 to 2." } },
   { "ScaleFactor", { { 0, -1, 1e-300, 1e-41, 1e41, 1e300, NaN, Infinity }, { 1e-40, 1e40 },
