@@ -159,8 +159,9 @@ public:
    * not fall, and no additional triangle is inverted or folded. If you abort the filter, the output
    * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
-   * own. Default: OPTIMIZE_WITHIN_DEVIATION, the only mode that guarantees how close the surface
-   * stays; in several processes choose OPTIMIZE_TRIANGLES.
+   * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays; in several
+   * processes, where it does not work, choose OPTIMIZE_TRIANGLES.
+   * Default: OPTIMIZE_WITHIN_DEVIATION.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
