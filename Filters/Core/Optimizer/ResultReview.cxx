@@ -173,9 +173,10 @@ std::string WarnOfFreedom(const VertexFreedom& freedom)
   };
   const Reason reasons[] = {
     { freedom.onBoundary, " on boundaries, which are fixed",
-      " If neighbouring triangles do not share their points, merge these with vtkCleanPolyData "
-      "(the "
-      "filter Clean); otherwise choose BoundaryCondition SLIDING or FREE." },
+      " If neighbouring triangles do not share their points, switch WeldCoincidentPoints on, or "
+      "merge "
+      "points that nearly coincide with vtkCleanPolyData (the filter Clean). Otherwise choose "
+      "BoundaryCondition SLIDING or FREE." },
     { freedom.pinned, " fixed by the array of fixed points or by the selection",
       " Fix fewer points." },
     { freedom.corners, " at corners of feature lines or boundaries",
