@@ -36,6 +36,24 @@ struct Edges
   }
 };
 
+/// Normal of the cell of triangle t, which does not depend on how the cell is cut, with twice the
+/// cell's area as its length.
+Vector3 ScaledCellNormal(
+  const Points& V, const Triangles& triangles, const Polygons& polygons, Index t)
+{
+  if (polygons.IsEmpty())
+  {
+    return ScaledNormal(V, triangles, t);
+  }
+  const Index p = polygons.ofTriangle[t];
+  Vector3 sum = Vector3::Zero();
+  for (Index part = polygons.FirstTriangle(p); part < polygons.FirstTriangle(p + 1); ++part)
+  {
+    sum += ScaledNormal(V, triangles, part);
+  }
+  return sum;
+}
+
 double AngleBetween(const Vector3& a, const Vector3& b)
 {
   const bool areDefined = !a.isZero(0) && !b.isZero(0);
@@ -149,7 +167,7 @@ SurfaceNormals::SurfaceNormals(const Points& V, const Triangles& triangles,
   ParallelFor(count,
     [&](Index t)
     {
-      const Vector3 normal = ScaledNormal(V, triangles, t);
+      const Vector3 normal = ScaledCellNormal(V, triangles, topology.polygons, t);
       const Edges edges(V, triangles, t);
       const double error = ErrorShare * roundOff * edges.lengths[edges.longest];
       const bool isKnown = error < LargestError * normal.stableNorm();
