@@ -61,23 +61,23 @@ std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& trian
 }
 
 std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
-  const std::vector<Index>& vertices)
+  const std::vector<Index>& vertices, ProgressMonitor& monitor)
 {
-  std::vector<Failure> failures;
+  std::vector<Index> ring;
   for (const Index i : vertices)
   {
-    std::vector<Index> corners;
     for (const Index t : this->TrianglesAt({ i }))
     {
-      corners.insert(corners.end(), this->Mesh.T.row(t).begin(), this->Mesh.T.row(t).end());
+      ring.insert(ring.end(), this->Mesh.T.row(t).begin(), this->Mesh.T.row(t).end());
     }
-    for (const Index t : this->TrianglesAt(corners))
-    {
-      if (!this->Mesh.IsMoved(t) && this->Shapes.IsInverted(t))
-      {
-        failures.push_back({ t, this->TrianglesAt({ i }) });
-      }
-    }
+  }
+  std::vector<Index> beside = this->TrianglesAt(ring);
+  std::vector<Failure> failures;
+  for (const Index t : Split(beside, monitor,
+         [this](Index t) { return !this->Mesh.IsMoved(t) && this->Shapes.IsInverted(t); }))
+  {
+    const Triangles& T = this->Mesh.T;
+    failures.push_back({ t, this->TrianglesAt({ T(t, 0), T(t, 1), T(t, 2) }) });
   }
   return failures;
 }
@@ -111,14 +111,14 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   std::vector<Index> bad = Split(changed, monitor,
     [&](Index t)
     {
-      return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsFolded(t) ||
-             this->Shapes.IsInverted(t);
+      return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsTurnedOver(t) ||
+             this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
     });
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
-  if (extent == FIRST_FAILURE && !isDecided())
+  if (!isDecided())
   {
-    failures = this->FindInvertedBeside(vertices);
+    failures = this->FindInvertedBeside(vertices, monitor);
   }
   if (!isDecided())
   {

@@ -10,8 +10,9 @@ namespace lmo
 {
 /// Judges displacements of a mesh's vertices: every point of the moved surface has to stay within a
 /// distance of the original one, and every point of the original one within it of the moved one;
-/// triangles must not turn bad, turn over or fold. Where the mesh accepted so far is beyond a limit
-/// already, it must not get worse.
+/// triangles must not turn bad or fold, and none that was not inverted may turn by more than a
+/// right angle from its own original normal or from that of the surface below it. Where the mesh
+/// accepted so far is beyond a limit already, it must not get worse.
 ///
 /// Positions change in transactions: any number of vertices are proposed and judged, and proposed
 /// and judged again where that fails, until all of them are accepted or rolled back.
@@ -87,7 +88,8 @@ private:
   std::vector<Index> FindDependent(const std::vector<Index>& triangles, Extent extent);
 
   /// Triangles that have not moved, but are inverted since those around them have.
-  std::vector<Failure> FindInvertedBeside(const std::vector<Index>& vertices);
+  std::vector<Failure> FindInvertedBeside(
+    const std::vector<Index>& vertices, ProgressMonitor& monitor);
 
   /// Triangles that are far from the original surface or turned against it.
   std::vector<Index> FindAstray(const std::vector<Index>& list, ProgressMonitor& monitor);

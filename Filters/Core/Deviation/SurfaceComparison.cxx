@@ -3,6 +3,7 @@
 #include "Core/Deviation/SurfaceComparison.h"
 
 #include "Core/Base/Threading.h"
+#include "Core/Deviation/TriangleValidity.h"
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
@@ -13,24 +14,6 @@ namespace lmo
 {
 namespace
 {
-double LargestDisplacement(const Points& before, const Points& after, const Subdomain& subdomain)
-{
-  struct Maximum
-  {
-    double square = 0;
-    void operator+=(const Maximum& other) { this->square = std::max(this->square, other.square); }
-  };
-  const Maximum maximum = ParallelSum(static_cast<Index>(before.rows()), Maximum(),
-    [&](Maximum& partial, Index i)
-    {
-      if (subdomain.OwnsVertex(i))
-      {
-        partial += { (after.row(i) - before.row(i)).squaredNorm() };
-      }
-    });
-  return std::sqrt(subdomain.Maximum(maximum.square));
-}
-
 /// Sum over the triangles that are owned.
 template <typename Term>
 double SumOverTriangles(const Triangles& triangles, const Subdomain& subdomain, const Term& term)
@@ -54,10 +37,30 @@ double RelativeVolumeChange(const Points& before, const Points& after, const Tri
 double CountFlippedTriangles(
   const Points& before, const Points& after, const Triangles& triangles, const Subdomain& subdomain)
 {
+  const Points normals = NormalsToKeep(before, triangles);
   return SumOverTriangles(triangles, subdomain,
-    [&](Index t)
-    { return ScaledNormal(before, triangles, t).dot(ScaledNormal(after, triangles, t)) < 0; });
+    [&](Index t) {
+      return HasTurnedOver(normals.row(t), ScaledNormal(after, triangles, t).stableNormalized());
+    });
 }
+}
+
+double LargestDisplacement(const Points& before, const Points& after, const Subdomain& subdomain)
+{
+  struct Maximum
+  {
+    double square = 0;
+    void operator+=(const Maximum& other) { this->square = std::max(this->square, other.square); }
+  };
+  const Maximum maximum = ParallelSum(static_cast<Index>(before.rows()), Maximum(),
+    [&](Maximum& partial, Index i)
+    {
+      if (subdomain.OwnsVertex(i))
+      {
+        partial += { (after.row(i) - before.row(i)).squaredNorm() };
+      }
+    });
+  return std::sqrt(subdomain.Maximum(maximum.square));
 }
 
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,

@@ -20,8 +20,12 @@ struct SurfaceComparison
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
   double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
   std::int64_t triangles = 0;             ///< number of them
-  std::int64_t flippedTriangles = 0;      ///< normal turned by more than a right angle
+  std::int64_t flippedTriangles = 0;      ///< HasTurnedOver()
 };
+
+/// The largest distance that a vertex has moved. The Hausdorff distance of the surfaces is at most
+/// that, since every point of a triangle moves no farther than its corners.
+double LargestDisplacement(const Points& before, const Points& after, const Subdomain& subdomain);
 
 /// \param polygons to which the triangles belong; empty if the triangles are the cells
 /// \param quality of \a before

@@ -20,6 +20,10 @@ constexpr double LeastCosine = 0.3;
 /// Least cosine of the angle between two triangles with a common edge.
 constexpr double LeastCosineAtEdge = -0.5;
 
+/// Least cosine of the angle by which a triangle may turn: a right angle but for the round-off in
+/// normals of nearly degenerate triangles.
+constexpr double LeastCosineToItself = 1e-3;
+
 /// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
 /// degenerate triangles turn it less than the triangle's own.
 Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& topology)
@@ -53,6 +57,34 @@ double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology&
 }
 }
 
+Points NormalsToKeep(const Points& V, const Triangles& triangles)
+{
+  Points normals(triangles.rows(), 3);
+  Points vertexNormals = Points::Zero(V.rows(), 3);
+  for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
+  {
+    const Vector3 normal = ScaledNormal(V, triangles, t);
+    normals.row(t) = normal.stableNormalized();
+    for (int k = 0; k < 3; ++k)
+    {
+      vertexNormals.row(triangles(t, k)) += normal;
+    }
+  }
+  ParallelFor(static_cast<Index>(V.rows()),
+    [&](Index i) { vertexNormals.row(i) = vertexNormals.row(i).stableNormalized().eval(); });
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      const Vector3 sum = vertexNormals.row(triangles(t, 0)) + vertexNormals.row(triangles(t, 1)) +
+                          vertexNormals.row(triangles(t, 2));
+      if (normals.row(t).dot(sum) < 0)
+      {
+        normals.row(t).setZero();
+      }
+    });
+  return normals;
+}
+
 TriangleValidity::TriangleValidity(const Points& accepted, const Points& candidate,
   const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours)
   : AcceptedPoints(accepted)
@@ -60,6 +92,7 @@ TriangleValidity::TriangleValidity(const Points& accepted, const Points& candida
   , T(triangles)
   , Topology(topology)
   , Neighbours(neighbours)
+  , OriginalNormals(NormalsToKeep(accepted, triangles))
   , ReferenceNormals(SmoothedNormals(accepted, triangles, topology))
   , AcceptedNormals(triangles.rows(), 3)
   , Normals(triangles.rows(), 3)
@@ -152,6 +185,12 @@ bool TriangleValidity::IsInverted(Index t) const
   }
   const double cosine = CosineToVertices(this->CandidatePoints, this->T, this->Topology, t);
   return cosine < 0 && cosine < CosineToVertices(this->AcceptedPoints, this->T, this->Topology, t);
+}
+
+bool TriangleValidity::IsTurnedOver(Index t) const
+{
+  const Vector3 original = this->OriginalNormals.row(t);
+  return !original.isZero(0) && original.dot(this->Normals.row(t)) < LeastCosineToItself;
 }
 
 bool TriangleValidity::IsTurned(Index t, Index below) const

@@ -7,6 +7,18 @@
 
 namespace lmo
 {
+/// Unit normals of the triangles that have a side to keep; 0 for those that have no normal or are
+/// inverted: they face away from the sum of the vertex normals at their corners.
+Points NormalsToKeep(const Points& V, const Triangles& triangles);
+
+/// True if a triangle has turned over: by more than a right angle.
+/// \param normalToKeep one row of NormalsToKeep()
+/// \param normal of the triangle now
+inline bool HasTurnedOver(const Vector3& normalToKeep, const Vector3& normal)
+{
+  return normalToKeep.dot(normal) < 0;
+}
+
 /// Judges the triangles of a candidate mesh against those of an accepted one: none may turn bad,
 /// turn over or fold. What is beyond a limit in the accepted mesh already must not get worse.
 class TriangleValidity
@@ -38,6 +50,9 @@ public:
   /// True if the triangle faces away from the vertex normals at its corners, more than before.
   bool IsInverted(Index t) const;
 
+  /// True if the triangle turns over, or almost, in comparison with itself in the original mesh.
+  bool IsTurnedOver(Index t) const;
+
   /// True if the triangle is turned against the original surface, more than before.
   /// \param below the original triangle under its centre
   bool IsTurned(Index t, Index below) const;
@@ -66,6 +81,7 @@ private:
   const Triangles& T;
   const MeshTopology& Topology;
   const Triangles& Neighbours;
+  const Points OriginalNormals;  ///< what NormalsToKeep() returned
   const Points ReferenceNormals; ///< unit normals of the original triangles, smoothed
   Points AcceptedNormals;        ///< of the triangles
   Points Normals;

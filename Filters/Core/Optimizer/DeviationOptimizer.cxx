@@ -5,6 +5,7 @@
 #include "Core/Base/Rounding.h"
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/DeviationGuard.h"
+#include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Deviation/VertexPatternSearch.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Optimizer/DeviationProblem.h"
@@ -96,6 +97,10 @@ private:
   std::vector<Index> TakeBack(const std::vector<DeviationGuard::Failure>& failures);
 
   Index CountRolledBack() const;
+
+  /// Bound of the Hausdorff distance to the accepted mesh, divided by the diagonal: what is
+  /// certified, or the largest displacement if that is smaller.
+  double RelativeBound() const;
 
   const MeshQuantities& Mesh;
   const OptimizerOptions& Options;
@@ -243,6 +248,17 @@ Index Passes::CountRolledBack() const
   return count;
 }
 
+double Passes::RelativeBound() const
+{
+  const double certified = this->Guard.GetBound();
+  const double displacement = LargestDisplacement(
+    this->Mesh.GetPoints(), this->Guard.GetAccepted(), this->Mesh.GetSubdomain());
+  return displacement > 0 && certified > 0
+           ? std::min(certified + RoundOff(this->Mesh.GetBox()), displacement) /
+               this->Mesh.GetDiagonal()
+           : 0;
+}
+
 void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
 {
   const int passes = this->Options.deviation.passes;
@@ -280,10 +296,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     result.isCancelled = true;
   }
   result.positions = this->Guard.GetAccepted();
-  const double diagonal = this->Mesh.GetDiagonal();
-  const double bound = this->Guard.GetBound();
-  result.deviation.relativeBound =
-    bound > 0 ? (bound + RoundOff(this->Mesh.GetBox())) / diagonal : 0;
+  result.deviation.relativeBound = this->RelativeBound();
   result.positionWeights = std::move(this->Problem.position.weights);
   result.laplacianWeights = std::move(this->Problem.laplacian.weights);
 }
