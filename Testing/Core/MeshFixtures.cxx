@@ -209,6 +209,16 @@ TestMesh DoublePyramid(int level)
     level);
 }
 
+TestMesh RandomTriangles(Random& random, int triangles)
+{
+  TestMesh mesh{ random.Displacements(3 * triangles), Triangles(triangles, 3) };
+  for (int k = 0; k < 3 * triangles; ++k)
+  {
+    mesh.T(k / 3, k % 3) = k;
+  }
+  return mesh;
+}
+
 TestMesh TwoComponents()
 {
   const TestMesh a = Icosphere(1);

@@ -70,6 +70,9 @@ TestMesh Globe(int meridians, int parallels);
 /// Tips (0, 0, 1) and (0, 0, -1) over a square; 8 triangles that are cut in four \a level times.
 TestMesh DoublePyramid(int level);
 
+/// Random triangles in general position, which share no vertex.
+TestMesh RandomTriangles(Random& random, int triangles);
+
 /// A small sphere and a tetrahedron apart from it.
 TestMesh TwoComponents();
 

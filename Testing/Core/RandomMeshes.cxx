@@ -50,7 +50,7 @@ int CheckSeeds(
     }
     if (!faults.empty() || seed == last)
     {
-      c.True("seed " + std::to_string(seed) + ":" + faults, faults.empty());
+      c.Equal("seed " + std::to_string(seed) + ":" + faults, faults, "");
     }
   }
   return c.Result();

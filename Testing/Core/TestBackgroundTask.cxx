@@ -42,30 +42,35 @@ void WaitFor(const std::atomic<bool>& flag)
     std::this_thread::yield();
   }
 }
-}
-
-int TestBackgroundTask(int, char*[])
+void CheckResults(Checks& c)
 {
-  Checks c;
   TestMonitor patient(false);
-  c.True("the monitor is asked while the work is done, and the result is returned",
+  c.Equal("the monitor is asked while the work is done, and the result is returned",
     RunInBackground(patient,
       [wasAsked = patient.WasAsked]
       {
         WaitFor(*wasAsked);
         return 42;
-      }) == 42);
+      }),
+    42);
   c.Throws<std::domain_error>("what the work throws is thrown",
     [&] { RunInBackground(patient, []() -> int { throw std::domain_error("work"); }); });
+}
 
-  c.True("loops of the work run on its thread alone",
-    RunInBackground(patient, [] { return NumberOfThreads(); }) == 1);
+void CheckLoops(Checks& c)
+{
+  TestMonitor patient(false);
+  c.Equal("loops of the work run on its thread alone",
+    RunInBackground(patient, [] { return NumberOfThreads(); }), 1);
   const ThreadPool team(3);
   const Index threads = ParallelSum(
     Index(3 * ParallelBlock), Index(0), [](Index& sum, Index) { sum += NumberOfThreads(); });
   c.True("loops inside a loop of a team run on its thread alone",
     threads == 3 * ParallelBlock && NumberOfThreads() == 3);
+}
 
+void CheckCancellation(Checks& c)
+{
   TestMonitor impatient(true);
   const auto mayEnd = std::make_shared<std::atomic<bool>>(false);
   const auto hasEnded = std::make_shared<std::atomic<bool>>(false);
@@ -83,5 +88,14 @@ int TestBackgroundTask(int, char*[])
   c.True("the work goes on after a cancellation", !*hasEnded);
   *mayEnd = true;
   WaitFor(*hasEnded);
-  return c.Result();
+}
+}
+
+int TestBackgroundTask(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("Results", CheckResults);
+  groups.Run("Loops", CheckLoops);
+  groups.Run("Cancellation", CheckCancellation);
+  return groups.Result();
 }

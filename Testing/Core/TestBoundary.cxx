@@ -138,12 +138,12 @@ void CheckFlatBorder(Checks& c)
 }
 }
 
-int TestBoundary(int, char*[])
+int TestBoundary(int argc, char* argv[])
 {
-  Checks c;
-  CheckHalfSphere(c);
-  CheckCylinder(c);
-  CheckWeights(c);
-  CheckFlatBorder(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("HalfSphere", CheckHalfSphere);
+  groups.Run("Cylinder", CheckCylinder);
+  groups.Run("Weights", CheckWeights);
+  groups.Run("FlatBorder", CheckFlatBorder);
+  return groups.Result();
 }

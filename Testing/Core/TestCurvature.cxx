@@ -159,13 +159,13 @@ void CheckBoundaryRule(Checks& c)
 }
 }
 
-int TestCurvature(int, char*[])
+int TestCurvature(int argc, char* argv[])
 {
-  Checks c;
-  CheckSpheres(c);
-  CheckFlatAndCylinder(c);
-  CheckHandDerivedValues(c);
-  CheckThreshold(c);
-  CheckBoundaryRule(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Spheres", CheckSpheres);
+  groups.Run("FlatAndCylinder", CheckFlatAndCylinder);
+  groups.Run("HandDerivedValues", CheckHandDerivedValues);
+  groups.Run("Threshold", CheckThreshold);
+  groups.Run("BoundaryRule", CheckBoundaryRule);
+  return groups.Result();
 }

@@ -248,11 +248,11 @@ void CheckFreeAxes(Checks& c)
 }
 }
 
-int TestCurves(int, char*[])
+int TestCurves(int argc, char* argv[])
 {
-  Checks c;
-  CheckBoundary(c);
-  CheckJunctions(c);
-  CheckFreeAxes(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Boundary", CheckBoundary);
+  groups.Run("Junctions", CheckJunctions);
+  groups.Run("FreeAxes", CheckFreeAxes);
+  return groups.Result();
 }

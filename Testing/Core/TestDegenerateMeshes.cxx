@@ -75,6 +75,22 @@ void CheckMesh(Checks& c, const std::string& name, const TestMesh& mesh)
   }
 }
 
+void CheckDegenerateMeshes(Checks& c)
+{
+  for (const auto& [name, mesh] : DegenerateMeshes())
+  {
+    CheckMesh(c, name, mesh);
+  }
+}
+
+void CheckOtherMeshes(Checks& c)
+{
+  for (const auto& [name, mesh] : AllTestMeshes())
+  {
+    CheckMesh(c, name, mesh);
+  }
+}
+
 /// A triangle of height 1e-7: at its acute angles delta_c would be 1e5 edges long.
 void CheckNeedle(Checks& c)
 {
@@ -86,17 +102,11 @@ void CheckNeedle(Checks& c)
 }
 }
 
-int TestDegenerateMeshes(int, char*[])
+int TestDegenerateMeshes(int argc, char* argv[])
 {
-  Checks c;
-  CheckNeedle(c);
-  for (const auto& [name, mesh] : DegenerateMeshes())
-  {
-    CheckMesh(c, name, mesh);
-  }
-  for (const auto& [name, mesh] : AllTestMeshes())
-  {
-    CheckMesh(c, name, mesh);
-  }
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Needle", CheckNeedle);
+  groups.Run("DegenerateMeshes", CheckDegenerateMeshes);
+  groups.Run("OtherMeshes", CheckOtherMeshes);
+  return groups.Result();
 }

@@ -134,25 +134,47 @@ void CheckAll(Checks& c, const std::string& property, double bound, const ErrorO
   }
   c.Error(property + "; worst: " + where, worst, bound);
 }
+const Model& IrregularHalfSphere()
+{
+  static const Model model = MakeModel(Irregular(HalfSphere(2), 0.05));
+  return model;
 }
 
-int TestEquivariance(int, char*[])
+void CheckSimilarity(Checks& c, const std::string& property, double bound, const Similarity& map)
 {
-  Checks c;
-  const Model model = MakeModel(Irregular(HalfSphere(2), 0.05));
-  const auto check = [&](const std::string& property, double bound, const Similarity& map)
-  {
-    CheckAll(c, property, bound,
-      [&](const OptimizerOptions& options) { return EquivarianceError(model, options, map); });
-  };
+  CheckAll(c, property, bound,
+    [&](const OptimizerOptions& options)
+    { return EquivarianceError(IrregularHalfSphere(), options, map); });
+}
+
+void CheckUnits(Checks& c)
+{
+  CheckSimilarity(c, "the result follows a small unit", 1e-12, { 1e8 });
+  CheckSimilarity(c, "the result follows a large unit", 1e-12, { 1e-8 });
+}
+
+void CheckRigidMotions(Checks& c)
+{
   const Matrix3 rotation = Eigen::AngleAxisd(1, Eigen::Vector3d(1, 2, 3).normalized()).matrix();
-  check("the result follows a small unit", 1e-12, { 1e8 });
-  check("the result follows a large unit", 1e-12, { 1e-8 });
-  check("the result follows a rotation", 1e-12, { 1, rotation });
+  CheckSimilarity(c, "the result follows a rotation", 1e-12, { 1, rotation });
   // 1e-8 is the distance of neighbouring numbers at 1e8.
-  check(
-    "the result follows a translation", 3e-8, { 1, Matrix3::Identity(), Vector3(1e8, -1e8, 1e8) });
+  CheckSimilarity(c, "the result follows a translation", 3e-8,
+    { 1, Matrix3::Identity(), Vector3(1e8, -1e8, 1e8) });
+}
+
+void CheckRenumbering(Checks& c)
+{
   CheckAll(c, "the result follows a renumbering", 1e-12,
-    [&](const OptimizerOptions& options) { return RenumberingError(model, options); });
-  return c.Result();
+    [&](const OptimizerOptions& options)
+    { return RenumberingError(IrregularHalfSphere(), options); });
+}
+}
+
+int TestEquivariance(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("Units", CheckUnits);
+  groups.Run("RigidMotions", CheckRigidMotions);
+  groups.Run("Renumbering", CheckRenumbering);
+  return groups.Result();
 }

@@ -72,7 +72,7 @@ void CheckClasses(Checks& c)
   const FeatureLines fork = ClassifyLines(Lines(6, { { 0, 1 }, { 1, 2 }, { 2, 3 }, { 2, 4 } }), V);
   const Mask expected = { FeatureLines::CORNER, FeatureLines::EDGE, FeatureLines::CORNER,
     FeatureLines::CORNER, FeatureLines::CORNER, FeatureLines::SMOOTH };
-  c.True("ends and junctions are corners", fork.pointClass == expected);
+  c.Equal("ends and junctions are corners", fork.pointClass, expected);
   c.Error("the tangent joins the neighbours on the line",
     std::abs(std::abs(fork.tangents(1, 0)) - 1) + std::abs(fork.tangents(1, 1)), 1e-15);
   c.Error("corners have no tangent", fork.tangents.row(2).norm(), 0);
@@ -81,10 +81,10 @@ void CheckClasses(Checks& c)
   const OperatorFixtures operators(grid);
   const FeatureLines rim =
     ClassifyLines({ operators.topology, &operators.topology->boundaryEdges }, grid.V);
-  c.True("a square has four corners",
-    std::count(rim.pointClass.begin(), rim.pointClass.end(), FeatureLines::CORNER) == 4);
-  c.True("a square of side 4 has twelve edge vertices",
-    std::count(rim.pointClass.begin(), rim.pointClass.end(), FeatureLines::EDGE) == 12);
+  c.Equal("a square has four corners",
+    std::count(rim.pointClass.begin(), rim.pointClass.end(), FeatureLines::CORNER), 4);
+  c.Equal("a square of side 4 has twelve edge vertices",
+    std::count(rim.pointClass.begin(), rim.pointClass.end(), FeatureLines::EDGE), 12);
 }
 
 void CheckLineVertices(Checks& c)
@@ -97,8 +97,8 @@ void CheckLineVertices(Checks& c)
     [&](Index i, Index previous, Index next) {
       vertices.push_back({ previous, i, next });
     });
-  c.True("the vertices inside a line are visited with their neighbours along it",
-    vertices == std::vector<std::array<Index, 3>>{ { 0, 1, 2 }, { 1, 2, 3 } });
+  c.Equal("the vertices inside a line are visited with their neighbours along it", vertices,
+    std::vector<std::array<Index, 3>>{ { 0, 1, 2 }, { 1, 2, 3 } });
 }
 
 double DistanceToPolygon(const Polygon& polygon, const Vector3& x)
@@ -134,13 +134,41 @@ void CheckProjection(Checks& c)
   ProjectOntoLines(pentagon.features, pentagon.V, moved);
   c.Error("corners are not projected", MaximumDistance(moved, pentagon.V + shift.topRows(5)), 0);
 }
+
+/// A flat sheet with a straight crease of so many edges, which turn by 53 degrees; others turn by
+/// 37 degrees at most.
+TestMesh CreasedSheet(Index edges)
+{
+  TestMesh mesh = Grid(16, 0);
+  for (Index i = 3; i <= 3 + edges; ++i)
+  {
+    mesh.V(17 * 8 + i, 2) = 0.5;
+  }
+  return mesh;
 }
 
-int TestFeatures(int, char*[])
+/// The vertices on features.
+Index CountOnFeatures(const TestMesh& mesh)
 {
-  Checks c;
-  CheckClasses(c);
-  CheckLineVertices(c);
-  CheckProjection(c);
-  return c.Result();
+  OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
+  options.featureConstraints = true;
+  options.featureAngle = 45;
+  return static_cast<Index>((Run(mesh, options).featureClass.array() > 0).count());
+}
+
+void CheckCreases(Checks& c)
+{
+  c.Equal("a crease of 9 edges is noise", CountOnFeatures(CreasedSheet(9)), 0);
+  c.Equal("a crease of 10 edges is a feature", CountOnFeatures(CreasedSheet(10)), 11);
+}
+}
+
+int TestFeatures(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("Classes", CheckClasses);
+  groups.Run("LineVertices", CheckLineVertices);
+  groups.Run("Projection", CheckProjection);
+  groups.Run("Creases", CheckCreases);
+  return groups.Result();
 }

@@ -205,11 +205,9 @@ void CheckLengthScale(Checks& c)
   c.Error("no triangles have no length scale",
     SquaredLengthScale(OperatorFixtures({ Points::Zero(2, 3), Triangles(0, 3) }).meanCurvature), 0);
 }
-}
 
-int TestLaplacian(int, char*[])
+void CheckAllMeshes(Checks& c)
 {
-  Checks c;
   for (const auto& [name, mesh] : AllTestMeshes())
   {
     const OperatorFixtures operators(mesh);
@@ -224,10 +222,17 @@ int TestLaplacian(int, char*[])
     c.Error("L_c and L_ck follow a large unit: " + name, UnitError(mesh, 1e-8), 1e-12);
   }
   c.Error("L V does not change far away", OffsetError(Irregular(Icosphere(2), 0.08)), 0);
-  CheckHandDerivedEntries(c);
-  CheckFlatMeshes(c);
-  CheckDegenerateMeshes(c);
-  CheckSoftWeights(c);
-  CheckLengthScale(c);
-  return c.Result();
+}
+}
+
+int TestLaplacian(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("AllMeshes", CheckAllMeshes);
+  groups.Run("HandDerivedEntries", CheckHandDerivedEntries);
+  groups.Run("FlatMeshes", CheckFlatMeshes);
+  groups.Run("DegenerateMeshes", CheckDegenerateMeshes);
+  groups.Run("SoftWeights", CheckSoftWeights);
+  groups.Run("LengthScale", CheckLengthScale);
+  return groups.Result();
 }

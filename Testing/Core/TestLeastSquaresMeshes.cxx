@@ -156,11 +156,11 @@ void CheckInterpolation(Checks& c)
 }
 }
 
-int TestLeastSquaresMeshes(int, char*[])
+int TestLeastSquaresMeshes(int argc, char* argv[])
 {
-  Checks c;
-  CheckMinimum(c);
-  CheckGeneralMinimum(c);
-  CheckInterpolation(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Minimum", CheckMinimum);
+  groups.Run("GeneralMinimum", CheckGeneralMinimum);
+  groups.Run("Interpolation", CheckInterpolation);
+  return groups.Result();
 }

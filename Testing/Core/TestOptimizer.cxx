@@ -111,7 +111,7 @@ void CheckBoundaries(Checks& c)
       BoundaryEnergy(grid, slid) / 32 - 1, 0.1 * (BoundaryEnergy(grid, grid.V) / 32 - 1));
 
     options = WithBoundary(mode, BoundaryCondition::FREE);
-    c.True("a free boundary moves", Motion(grid, Run(grid, options).positions, isCorner) > 0.01);
+    c.Greater("a free boundary moves", Motion(grid, Run(grid, options).positions, isCorner), 0.01);
   }
 }
 
@@ -160,8 +160,8 @@ void CheckFixedPointsOfTheEquations(Checks& c)
   strong.scaleFactor = 0.1;
   const Points smooth = Run(grid, strong).positions;
   c.Error("smoothing with L_u stays within a plane", LargestMagnitude(smooth.col(2)), 0);
-  c.True("smoothing with L_u improves the triangles of a plane",
-    MeanQuality(smooth, grid.T) > MeanQuality(grid.V, grid.T) + 0.05);
+  c.Greater("smoothing with L_u improves the triangles of a plane", MeanQuality(smooth, grid.T),
+    MeanQuality(grid.V, grid.T) + 0.05);
 }
 
 /// Root mean square distance from the unit sphere.
@@ -179,8 +179,8 @@ void CheckEffects(Checks& c)
   for (const LaplacianType type :
     { LaplacianType::UNIFORM, LaplacianType::COTANGENT, LaplacianType::MEAN_CURVATURE })
   {
-    c.True("smoothing removes noise from a sphere",
-      Noise(Run(noisy, Options(Mode::SMOOTH, type)).positions) < 0.7 * Noise(noisy.V));
+    c.Less("smoothing removes noise from a sphere",
+      Noise(Run(noisy, Options(Mode::SMOOTH, type)).positions), 0.7 * Noise(noisy.V));
   }
 
   OptimizerOptions planes = Options(Mode::SMOOTH);
@@ -188,7 +188,7 @@ void CheckEffects(Checks& c)
   planes.tangentPlaneWeight = 1e6;
   const Points d = Run(noisy, planes).positions - noisy.V;
   const Points n = Apply(OperatorFixtures(noisy).meanCurvature, noisy.V).rowwise().normalized();
-  c.True("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)) > 0.01);
+  c.Greater("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)), 0.01);
   c.Error("strong tangent planes stop motion along the normal",
     LargestMagnitude((d.array() * n.array()).rowwise().sum()), 1e-10);
 }
@@ -293,14 +293,13 @@ void CheckReuse(Checks& c)
   options.solverType = SolverType::AUTOMATIC;
   options.solver.tolerance = 1e-12;
   const OptimizerResult second = optimizer.Run(options, {}, monitor);
-  c.True(
-    "another scale factor and solver need no new parts", optimizer.GetNumberOfParts() == parts);
+  c.Equal("another scale factor and solver need no new parts", optimizer.GetNumberOfParts(), parts);
   c.Error("kept parts give the same result",
     MaximumDistance(second.positions, Run(mesh, options).positions), 0);
   options.positionWeighting = PositionWeighting::LINEAR;
   optimizer.Run(options, {}, monitor);
-  c.True("linear weights need the statistics and components and nothing else",
-    optimizer.GetNumberOfParts() == parts + 2);
+  c.Equal("linear weights need the statistics and components and nothing else",
+    optimizer.GetNumberOfParts(), parts + 2);
 }
 
 /// Multigrid hierarchies, factorisations and orders of the unknowns made so far.
@@ -322,12 +321,12 @@ void CheckReuseOfInverses(Checks& c)
   smooth.Run(options, {}, monitor);
   options.solver.tolerance = 1e-9;
   const OptimizerResult again = smooth.Run(options, {}, monitor);
-  c.True("another tolerance needs no new hierarchy", Counts(smooth) == std::vector<int>{ 1, 0, 0 });
+  c.Equal("another tolerance needs no new hierarchy", Counts(smooth), std::vector<int>{ 1, 0, 0 });
   c.Error("a kept hierarchy gives the same result",
     MaximumDistance(again.positions, Run(sphere, options).positions), 0);
   options.scaleFactor = 0.002;
   smooth.Run(options, {}, monitor);
-  c.True("another scale factor needs a new hierarchy", Counts(smooth)[0] == 2);
+  c.Equal("another scale factor needs a new hierarchy", Counts(smooth)[0], 2);
 
   options.laplacianType = LaplacianType::COTANGENT;
   const TestMesh thin = WithThinTriangles(Icosphere(5));
@@ -335,28 +334,28 @@ void CheckReuseOfInverses(Checks& c)
   hard.Run(options, {}, monitor);
   options.solver.tolerance = 1e-6;
   hard.Run(options, {}, monitor);
-  c.True(
-    "another tolerance needs no new factorisation", Counts(hard) == std::vector<int>{ 1, 1, 1 });
+  c.Equal(
+    "another tolerance needs no new factorisation", Counts(hard), std::vector<int>{ 1, 1, 1 });
   options.scaleFactor = 0.003;
   const OptimizerResult changed = hard.Run(options, {}, monitor);
-  c.True("another scale factor needs a new factorisation in the kept order",
-    Counts(hard) == std::vector<int>{ 2, 2, 1 });
+  c.Equal("another scale factor needs a new factorisation in the kept order", Counts(hard),
+    std::vector<int>{ 2, 2, 1 });
   c.Error("a kept order gives the same result",
     MaximumDistance(changed.positions, Run(thin, options).positions), 0);
 }
 }
 
-int TestOptimizer(int, char*[])
+int TestOptimizer(int argc, char* argv[])
 {
-  Checks c;
-  CheckHeldVertices(c);
-  CheckBoundaries(c);
-  CheckFixedPointsOfTheEquations(c);
-  CheckEffects(c);
-  CheckPositionWeights(c);
-  CheckLaplacianWeights(c);
-  CheckMissingArrays(c);
-  CheckReuseOfInverses(c);
-  CheckReuse(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("HeldVertices", CheckHeldVertices);
+  groups.Run("Boundaries", CheckBoundaries);
+  groups.Run("FixedPointsOfTheEquations", CheckFixedPointsOfTheEquations);
+  groups.Run("Effects", CheckEffects);
+  groups.Run("PositionWeights", CheckPositionWeights);
+  groups.Run("LaplacianWeights", CheckLaplacianWeights);
+  groups.Run("MissingArrays", CheckMissingArrays);
+  groups.Run("ReuseOfInverses", CheckReuseOfInverses);
+  groups.Run("Reuse", CheckReuse);
+  return groups.Result();
 }

@@ -273,13 +273,13 @@ void CheckDegeneratePolygons(Checks& c)
 }
 }
 
-int TestPolygonLaplacian(int, char*[])
+int TestPolygonLaplacian(int argc, char* argv[])
 {
-  Checks c;
-  CheckTriangles(c);
-  CheckPlanes(c);
-  CheckRefinement(c);
-  CheckCurvature(c);
-  CheckDegeneratePolygons(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Triangles", CheckTriangles);
+  groups.Run("Planes", CheckPlanes);
+  groups.Run("Refinement", CheckRefinement);
+  groups.Run("Curvature", CheckCurvature);
+  groups.Run("DegeneratePolygons", CheckDegeneratePolygons);
+  return groups.Result();
 }

@@ -4,8 +4,8 @@
 #include "MeshMeasures.h"
 #include "PolygonFixtures.h"
 
-#include "Core/Mesh/TriangleQuality.h"
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Mesh/TriangleQuality.h"
 
 #include <algorithm>
 #include <cmath>
@@ -55,9 +55,9 @@ PolygonMesh RegularPolygon(int corners, double scale = 1)
 void CheckEdges(Checks& c)
 {
   const MeshTopology grid = TopologyOf(QuadGrid(2, 0));
-  c.True("the neighbours in a grid of quads are those along edges",
-    ListOf(grid.oneRings, 4) == std::vector<Index>{ 1, 3, 5, 7 });
-  c.True("diagonals are no boundary", ListOf(grid.boundaryEdges, 0) == std::vector<Index>{ 1, 3 });
+  c.Equal("the neighbours in a grid of quads are those along edges", ListOf(grid.oneRings, 4),
+    std::vector<Index>{ 1, 3, 5, 7 });
+  c.Equal("diagonals are no boundary", ListOf(grid.boundaryEdges, 0), std::vector<Index>{ 1, 3 });
   c.True("a vertex inside is off the boundary", !grid.isBoundary[4] && grid.isBoundary[1]);
   const MeshTopology torus = TopologyOf(QuadTorus(6));
   c.True("each vertex of a torus has four neighbours",
@@ -68,8 +68,8 @@ void CheckEdges(Checks& c)
   const PolygonMesh twice =
     MakePolygonMesh(Grid(2, 0).V, { { 0, 1, 3, 3 }, { 4, 4, 5, 5 }, { 1, 4, 3 } });
   const MeshTopology topology = TopologyOf(twice);
-  c.True("an edge without length is none",
-    ListOf(topology.oneRings, 3) == std::vector<Index>{ 0, 1, 4 });
+  c.Equal(
+    "an edge without length is none", ListOf(topology.oneRings, 3), std::vector<Index>{ 0, 1, 4 });
   c.True("polygons without area are not used", !topology.isUsed[5] && topology.isUsed[4]);
 }
 
@@ -142,20 +142,20 @@ void CheckQuality(Checks& c)
   c.Error("equal corners give 0",
     QualityOf(Alone({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } })), 0);
   const PolygonMesh arrow = Alone({ { 0, 0, 0 }, { 4, -3, 0 }, { 1, 0, 0 }, { 4, 3, 0 } });
-  c.True("an arrow has one reflex corner", CountReflexCorners(arrow.V, arrow.polygons, 0) == 1);
+  c.Equal("an arrow has one reflex corner", CountReflexCorners(arrow.V, arrow.polygons, 0), 1);
   const PolygonMesh hexagon = RegularPolygon(6);
-  c.True("a hexagon has none", CountReflexCorners(hexagon.V, hexagon.polygons, 0) == 0);
+  c.Equal("a hexagon has none", CountReflexCorners(hexagon.V, hexagon.polygons, 0), 0);
   const PolygonMesh notched = Ls(1, 0);
-  c.True("an L has one", CountReflexCorners(notched.V, notched.polygons, 1) == 1);
+  c.Equal("an L has one", CountReflexCorners(notched.V, notched.polygons, 1), 1);
 }
 }
 
-int TestPolygonMeshes(int, char*[])
+int TestPolygonMeshes(int argc, char* argv[])
 {
-  Checks c;
-  CheckEdges(c);
-  CheckTrianglesAround(c);
-  CheckNormals(c);
-  CheckQuality(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Edges", CheckEdges);
+  groups.Run("TrianglesAround", CheckTrianglesAround);
+  groups.Run("Normals", CheckNormals);
+  groups.Run("Quality", CheckQuality);
+  return groups.Result();
 }

@@ -67,7 +67,7 @@ void CheckRange(Checks& c)
   {
     largest = Larger(largest, RadiusRatio(x, { x[1], x[2], x[0] }, { x[2], x[0], x[1] }));
   }
-  c.True("t of equilateral triangles is never above 1", largest <= 1);
+  c.AtMost("t of equilateral triangles is never above 1", largest, 1);
   c.Error("t does not depend on the order of the corners", difference, 1e-14);
 }
 
@@ -93,11 +93,11 @@ void CheckSummaries(Checks& c)
 }
 }
 
-int TestQuality(int, char*[])
+int TestQuality(int argc, char* argv[])
 {
-  Checks c;
-  CheckKnownValues(c);
-  CheckRange(c);
-  CheckSummaries(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("KnownValues", CheckKnownValues);
+  groups.Run("Range", CheckRange);
+  groups.Run("Summaries", CheckSummaries);
+  return groups.Result();
 }

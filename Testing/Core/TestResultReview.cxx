@@ -131,16 +131,16 @@ void CheckVolumeLoss(Checks& c)
     after.middleRows(42, 42).rowwise() += centre;
     after.bottomRows(169) *= 0.5;
     const VolumeLoss loss = MeasureVolumeLoss(quantities, after);
-    c.True("two components of three have a volume", loss.closed == 2);
-    c.True("one of them lost more than a tenth", loss.shrunk == 1);
+    c.Equal("two components of three have a volume", loss.closed, 2);
+    c.Equal("one of them lost more than a tenth", loss.shrunk, 1);
     c.Error("a sphere of 0.9 times the radius has lost 1 - 0.9^3",
       std::abs(loss.largest - (1 - 0.729)), 1e-6);
   }
   TestMesh turned = Icosphere(1);
   turned.T.row(0).reverseInPlace();
   MeshQuantities inconsistent(turned.V, turned.T);
-  c.True("a surface of two orientations has no volume",
-    MeasureVolumeLoss(inconsistent, 0.5 * turned.V).closed == 0);
+  c.Equal("a surface of two orientations has no volume",
+    MeasureVolumeLoss(inconsistent, 0.5 * turned.V).closed, 0);
 }
 
 void CheckManyComponents(Checks& c)
@@ -213,15 +213,15 @@ void CheckMissingArea(Checks& c)
 }
 }
 
-int TestResultReview(int, char*[])
+int TestResultReview(int argc, char* argv[])
 {
-  Checks c;
-  CheckQualityWarnings(c);
-  CheckFlipWarnings(c);
-  CheckVolumeWarnings(c);
-  CheckVolumeLoss(c);
-  CheckManyComponents(c);
-  CheckFreedom(c);
-  CheckMissingArea(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("QualityWarnings", CheckQualityWarnings);
+  groups.Run("FlipWarnings", CheckFlipWarnings);
+  groups.Run("VolumeWarnings", CheckVolumeWarnings);
+  groups.Run("VolumeLoss", CheckVolumeLoss);
+  groups.Run("ManyComponents", CheckManyComponents);
+  groups.Run("Freedom", CheckFreedom);
+  groups.Run("MissingArea", CheckMissingArea);
+  return groups.Result();
 }

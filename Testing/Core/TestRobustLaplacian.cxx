@@ -150,10 +150,10 @@ double LeastDetour(const IntrinsicTriangulation& surface)
   return least;
 }
 
-void CheckAnyMesh(Checks& c, const std::string& name, const TestMesh& mesh)
+void CheckMesh(Checks& c, const std::string& name, const TestMesh& mesh)
 {
   const RobustOperators robust(mesh);
-  c.True("no weight is negative: " + name, LeastWeight(robust.cotangent) >= 0);
+  c.AtLeast("no weight is negative: " + name, LeastWeight(robust.cotangent), 0);
   c.True("weights and areas are finite: " + name,
     robust.cotangent.edgeWeights->allFinite() && robust.areas.allFinite());
   Laplacian stiffness = robust.cotangent;
@@ -176,7 +176,7 @@ void CheckGluing(Checks& c)
     Mollify(surface);
     FlipToDelaunay(surface);
     c.True("and after the flips: " + name, IsGlued(surface));
-    c.True("no edge is left to flip: " + name, LeastCotangentSum(surface) >= -1e-9);
+    c.AtLeast("no edge is left to flip: " + name, LeastCotangentSum(surface), -1e-9);
   }
 }
 
@@ -185,7 +185,7 @@ void CheckMollification(Checks& c)
   IntrinsicTriangulation surface = TuftedCover(Kite(3).V, Kite(3).T);
   const std::vector<double> lengths = surface.lengths;
   Mollify(surface);
-  c.True("good triangles are not mollified", surface.lengths == lengths);
+  c.Equal("good triangles are not mollified", surface.lengths, lengths);
   for (const TestMesh& mesh : { Triangle(0.5, 0), Triangle(0.5, 1e-9), Kite(1e-9) })
   {
     surface = TuftedCover(mesh.V, mesh.T);
@@ -198,10 +198,10 @@ void CheckMollification(Checks& c)
 void CheckFlips(Checks& c)
 {
   IntrinsicTriangulation acute = TuftedCover(Kite(3).V, Kite(3).T);
-  c.True("a Delaunay kite is not flipped", FlipToDelaunay(acute) == 0);
+  c.Equal("a Delaunay kite is not flipped", FlipToDelaunay(acute), 0);
   const double height = 0.5;
   IntrinsicTriangulation obtuse = TuftedCover(Kite(height).V, Kite(height).T);
-  c.True("the two copies of an obtuse kite are", FlipToDelaunay(obtuse) >= 2);
+  c.AtLeast("the two copies of an obtuse kite are", FlipToDelaunay(obtuse), 2);
   const RobustOperators robust(Kite(height));
   // The short diagonal faces two angles with the cotangent (4 - height^2) / 4 height.
   const double expected = (4 - height * height) / (2 * height);
@@ -225,8 +225,8 @@ void CheckKnownOperators(Checks& c)
   const TestMesh slivers = Slivers();
   c.Error(
     "L_c V of flat slivers is 0", DeepLaplacian(slivers, RobustOperators(slivers).cotangent), 1e-3);
-  c.True(
-    "Eqn. 4 has negative weights there", LeastWeight(OperatorFixtures(slivers).cotangent) < -0.5);
+  c.Less(
+    "Eqn. 4 has negative weights there", LeastWeight(OperatorFixtures(slivers).cotangent), -0.5);
 }
 
 /// Each of three wings gives its own cotangents, as it does to Eqn. 4.
@@ -257,8 +257,8 @@ void CheckQuantities(Checks& c)
     const CotangentQuantities cotangents(quantities, isRobust);
     return LeastWeight(cotangents.MakeLaplacian(LaplacianType::COTANGENT));
   };
-  c.True("the quantities have the robust weights", leastWeight(true) >= 0);
-  c.True("and otherwise those of Eqn. 4", leastWeight(false) < 0);
+  c.AtLeast("the quantities have the robust weights", leastWeight(true), 0);
+  c.Less("and otherwise those of Eqn. 4", leastWeight(false), 0);
 }
 
 /// The optimizer takes the operator when it is told to, and leaves it again.
@@ -274,25 +274,30 @@ void CheckChange(Checks& c)
     return optimizer.Run(options, {}, monitor).meanCurvatures;
   };
   const Vector plain = curvatures(false);
-  c.True("robust weights give other curvatures", curvatures(true) != plain);
-  c.True(
-    "a change to robust weights and back gives the same curvatures", curvatures(false) == plain);
+  c.Different("robust weights give other curvatures", curvatures(true), plain);
+  c.Equal(
+    "a change to robust weights and back gives the same curvatures", curvatures(false), plain);
+}
+
+void CheckAllMeshes(Checks& c)
+{
+  for (const auto& [name, mesh] : DifficultMeshes())
+  {
+    CheckMesh(c, name, mesh);
+  }
 }
 }
 
-int TestRobustLaplacian(int, char*[])
+int TestRobustLaplacian(int argc, char* argv[])
 {
-  Checks c;
-  for (const auto& [name, mesh] : DifficultMeshes())
-  {
-    CheckAnyMesh(c, name, mesh);
-  }
-  CheckGluing(c);
-  CheckMollification(c);
-  CheckFlips(c);
-  CheckKnownOperators(c);
-  CheckNonManifold(c);
-  CheckQuantities(c);
-  CheckChange(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("AllMeshes", CheckAllMeshes);
+  groups.Run("Gluing", CheckGluing);
+  groups.Run("Mollification", CheckMollification);
+  groups.Run("Flips", CheckFlips);
+  groups.Run("KnownOperators", CheckKnownOperators);
+  groups.Run("NonManifold", CheckNonManifold);
+  groups.Run("Quantities", CheckQuantities);
+  groups.Run("Change", CheckChange);
+  return groups.Result();
 }

@@ -115,10 +115,10 @@ void CheckOrder(Checks& c, const LeastSquaresProblem& problem)
   GivenSolvers solvers(problem);
   solvers.stages = { { "slow", 0.5 }, { "skipped", 1, 100, 100 }, { "good", 1 }, { "unused", 1 } };
   const Solution solution = SolveBy(solvers, problem, SolverType::AUTOMATIC);
-  c.True("stages run in order until one solves, but for those expected to take too long",
-    solvers.calls == "slow good ");
+  c.Equal("stages run in order until one solves, but for those expected to take too long",
+    solvers.calls, "slow good ");
   c.Error("the last stage's solution is taken", solvers.Error(solution, 1), 0);
-  c.True("iterations of all stages count", solution.iterations == 20);
+  c.Equal("iterations of all stages count", solution.iterations, 20);
 }
 
 void CheckAcceptance(Checks& c, const LeastSquaresProblem& problem)
@@ -127,9 +127,9 @@ void CheckAcceptance(Checks& c, const LeastSquaresProblem& problem)
   solvers.stages = { { "good", 0.9 }, { "worse", 0.5 } };
   solvers.shareInDouble = 0.7;
   const Solution solution = SolveBy(solvers, problem, SolverType::ITERATIVE);
-  c.True("iterations in double precision come last", solvers.calls == "good worse double ");
+  c.Equal("iterations in double precision come last", solvers.calls, "good worse double ");
   c.Error("a worse solution is not taken", solvers.Error(solution, 0.9), 0);
-  c.True("but its iterations count", solution.iterations == 30);
+  c.Equal("but its iterations count", solution.iterations, 30);
 
   GivenSolvers diverging(problem);
   diverging.stages = { { "diverging", -1 } };
@@ -144,19 +144,19 @@ void CheckFallback(Checks& c, const LeastSquaresProblem& problem)
   direct.stages = { { "slow", 0.5 } };
   c.Error("the direct solver helps if all stages give up",
     direct.Error(SolveBy(direct, problem, SolverType::AUTOMATIC), 1), 0);
-  c.True("then nothing else runs", direct.calls == "slow direct ");
+  c.Equal("then nothing else runs", direct.calls, "slow direct ");
 
   GivenSolvers singular(problem);
   singular.stages = { { "slow", 0.5 } };
   singular.isSingular = true;
   SolveBy(singular, problem, SolverType::AUTOMATIC);
-  c.True("iterations in double precision help if the matrix is singular",
-    singular.calls == "slow direct double ");
+  c.Equal("iterations in double precision help if the matrix is singular", singular.calls,
+    "slow direct double ");
 
   GivenSolvers used(problem);
   used.stages = { { "slow", 0.5 }, { "unused", 1 } };
   const Solution solution = SolveBy(used, problem, SolverType::ITERATIVE, 10);
-  c.True("nothing follows if the iterations are used up", used.calls == "slow ");
+  c.Equal("nothing follows if the iterations are used up", used.calls, "slow ");
   c.Error("the solution so far is returned then", used.Error(solution, 0.5), 0);
 }
 
@@ -165,7 +165,7 @@ void CheckDirect(Checks& c, const LeastSquaresProblem& problem)
   GivenSolvers direct(problem);
   direct.stages = { { "unused", 1 } };
   const Solution solution = SolveBy(direct, problem, SolverType::DIRECT);
-  c.True("the direct solver runs alone if it is asked for", direct.calls == "direct ");
+  c.Equal("the direct solver runs alone if it is asked for", direct.calls, "direct ");
   c.Error("its residual is computed", solution.relativeResidual, 1e-9);
   direct.isSingular = true;
   c.Throws<SolverError>(
@@ -212,14 +212,13 @@ void CheckConvergenceTest(Checks& c)
 }
 }
 
-int TestSolverPolicy(int, char*[])
+int TestSolverPolicy(int argc, char* argv[])
 {
-  Checks c;
-  const LeastSquaresProblem problem = SmallProblem();
-  CheckOrder(c, problem);
-  CheckAcceptance(c, problem);
-  CheckFallback(c, problem);
-  CheckDirect(c, problem);
-  CheckConvergenceTest(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Order", [](Checks& c) { CheckOrder(c, SmallProblem()); });
+  groups.Run("Acceptance", [](Checks& c) { CheckAcceptance(c, SmallProblem()); });
+  groups.Run("Fallback", [](Checks& c) { CheckFallback(c, SmallProblem()); });
+  groups.Run("Direct", [](Checks& c) { CheckDirect(c, SmallProblem()); });
+  groups.Run("ConvergenceTest", CheckConvergenceTest);
+  return groups.Result();
 }

@@ -32,7 +32,7 @@ double Disagreement(const TestMesh& mesh, const OptimizerOptions& options)
 }
 
 /// Each operator and mode, with and without tangent planes, on a surface with this boundary.
-void CheckAgreement(Checks& c, BoundaryCondition boundary, const std::string& name)
+void CheckAgreementAt(Checks& c, BoundaryCondition boundary, const std::string& name)
 {
   const TestMesh mesh = Irregular(HalfSphere(3), 0.02);
   for (const bool tangentPlanes : { false, true })
@@ -50,6 +50,13 @@ void CheckAgreement(Checks& c, BoundaryCondition boundary, const std::string& na
     check("smoothing with L_c", Options(Mode::SMOOTH, LaplacianType::COTANGENT));
     check("smoothing with L_ck", Options(Mode::SMOOTH, LaplacianType::MEAN_CURVATURE));
   }
+}
+
+void CheckAgreement(Checks& c)
+{
+  CheckAgreementAt(c, BoundaryCondition::FIXED, "fixed boundary");
+  CheckAgreementAt(c, BoundaryCondition::SLIDING, "sliding boundary");
+  CheckAgreementAt(c, BoundaryCondition::FREE, "free boundary");
 }
 
 /// |b - A d| / |b| of smoothing a closed mesh with L_u, from dense matrices.
@@ -72,7 +79,7 @@ void CheckResiduals(Checks& c)
     const OptimizerResult result = Run(mesh, Iterative(smooth, 1e-12, iterations));
     c.Error("the reported residual is the true one after iteration " + std::to_string(iterations),
       std::abs(result.relativeResidual / TrueResidual(mesh, result) - 1), 1e-9);
-    c.True("the limit of iterations is kept", result.iterations == iterations);
+    c.Equal("the limit of iterations is kept", result.iterations, iterations);
   }
   for (const double tolerance : { 1e-2, 1e-6, 1e-12 })
   {
@@ -82,7 +89,7 @@ void CheckResiduals(Checks& c)
   }
   const OptimizerResult direct = Run(mesh, smooth);
   c.Error("the direct solution has no residual", TrueResidual(mesh, direct), 1e-13);
-  c.True("the direct solver does not iterate", direct.iterations == 0);
+  c.Equal("the direct solver does not iterate", direct.iterations, 0);
 
   OptimizerOptions automatic = Iterative(smooth, 1e-9, 1);
   automatic.solverType = SolverType::AUTOMATIC;
@@ -128,7 +135,7 @@ void CheckMonitor(Checks& c)
     Recorder impatient(limit);
     c.Throws<Cancelled>(
       "the monitor stops the iteration", [&] { Optimize(mesh.V, mesh.T, options, {}, impatient); });
-    c.True("the iteration stops at once", impatient.Fractions.size() == limit);
+    c.Equal("the iteration stops at once", impatient.Fractions.size(), limit);
   }
   options.solverType = SolverType::DIRECT;
   // The second question comes before the factorisation.
@@ -180,8 +187,8 @@ void CheckNearlySingularSystem(Checks& c)
   for (const SolverType solver : { SolverType::AUTOMATIC, SolverType::ITERATIVE })
   {
     options.solverType = solver;
-    c.True("the other solvers find a better one",
-      EnergyOf(mesh, options, arrays, Run(mesh, options, arrays).positions) < before);
+    c.Less("the other solvers find a better one",
+      EnergyOf(mesh, options, arrays, Run(mesh, options, arrays).positions), before);
   }
 }
 
@@ -217,7 +224,7 @@ Points SolveOnThreads(
   return positions;
 }
 
-void CheckThreads(
+void CheckThreadsOf(
   Checks& c, const std::string& name, const TestMesh& mesh, const OptimizerOptions& options)
 {
   const Points sequential = SolveOnThreads(mesh, options, "Sequential", 1);
@@ -233,13 +240,13 @@ void CheckThreads(Checks& c)
   const TestMesh mesh = Irregular(Icosphere(5), 0.005);
   const TestMesh thin = WithThinTriangles(Icosphere(5));
   OptimizerOptions options = Options(Mode::SMOOTH);
-  CheckThreads(c, "the diagonal", mesh, options);
+  CheckThreadsOf(c, "the diagonal", mesh, options);
   options.scaleFactor = 0.003;
-  CheckThreads(c, "multigrid", mesh, options);
+  CheckThreadsOf(c, "multigrid", mesh, options);
   options.laplacianType = LaplacianType::MEAN_CURVATURE;
-  CheckThreads(c, "multigrid after an elimination", thin, options);
+  CheckThreadsOf(c, "multigrid after an elimination", thin, options);
   options.laplacianType = LaplacianType::COTANGENT;
-  CheckThreads(c, "the factorised K + R", thin, options);
+  CheckThreadsOf(c, "the factorised K + R", thin, options);
 }
 
 /// Triangles so thin that diagonals say little about the matrix.
@@ -261,18 +268,16 @@ void CheckHardSystem(Checks& c)
 }
 }
 
-int TestSolvers(int, char*[])
+int TestSolvers(int argc, char* argv[])
 {
-  Checks c;
-  CheckAgreement(c, BoundaryCondition::FIXED, "fixed boundary");
-  CheckAgreement(c, BoundaryCondition::SLIDING, "sliding boundary");
-  CheckAgreement(c, BoundaryCondition::FREE, "free boundary");
-  CheckResiduals(c);
-  CheckMonitor(c);
-  CheckSingularSystem(c);
-  CheckNearlySingularSystem(c);
-  CheckDenseSystem(c);
-  CheckThreads(c);
-  CheckHardSystem(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Agreement", CheckAgreement);
+  groups.Run("Residuals", CheckResiduals);
+  groups.Run("Monitor", CheckMonitor);
+  groups.Run("SingularSystem", CheckSingularSystem);
+  groups.Run("NearlySingularSystem", CheckNearlySingularSystem);
+  groups.Run("DenseSystem", CheckDenseSystem);
+  groups.Run("Threads", CheckThreads);
+  groups.Run("HardSystem", CheckHardSystem);
+  return groups.Result();
 }

@@ -18,27 +18,38 @@ SurfaceDistance Measure(const TestMesh& surface, const TestMesh& reference, Inde
   return MeasureSurfaceDistance(surface.V, surface.T, reference.V, reference.T, samples, monitor);
 }
 
-/// Random triangles, in general position.
-TestMesh RandomTriangles(Random& random, int triangles)
+/// Points of a fine grid over each triangle.
+Points FineGrid(const TestMesh& mesh, int cells)
 {
-  TestMesh mesh{ random.Displacements(3 * triangles), Triangles(triangles, 3) };
-  for (int k = 0; k < 3 * triangles; ++k)
+  std::vector<Vector3> points;
+  for (const auto& T : mesh.T.rowwise())
   {
-    mesh.T(k / 3, k % 3) = k;
+    for (int i = 0; i <= cells; ++i)
+    {
+      for (int j = 0; i + j <= cells; ++j)
+      {
+        points.emplace_back(
+          (i * mesh.V.row(T[0]) + j * mesh.V.row(T[1]) + (cells - i - j) * mesh.V.row(T[2])) /
+          cells);
+      }
+    }
   }
-  return mesh;
+  Points result(points.size(), 3);
+  for (std::size_t k = 0; k < points.size(); ++k)
+  {
+    result.row(k) = points[k];
+  }
+  return result;
 }
 
-double LargestErrorAtVertices(const TestMesh& surface, const TestMesh& reference)
+Vector DistancesByTrial(const Points& points, const TestMesh& mesh)
 {
-  const Vector distances = Measure(surface, reference).atVertices;
-  double error = 0;
-  for (Index i = 0; i < distances.size(); ++i)
+  Vector distances(points.rows());
+  for (Eigen::Index i = 0; i < points.rows(); ++i)
   {
-    error =
-      std::max(error, std::abs(distances[i] - DistanceToSurface(surface.V.row(i), reference)));
+    distances[i] = DistanceToSurface(points.row(i), mesh);
   }
-  return error;
+  return distances;
 }
 
 void CheckAgainstTrial(Checks& c)
@@ -46,9 +57,27 @@ void CheckAgainstTrial(Checks& c)
   Random random;
   for (const int triangles : { 1, 3, 50, 700 })
   {
+    const TestMesh surface = RandomTriangles(random, 60);
+    const TestMesh reference = RandomTriangles(random, triangles);
     c.Error("distances at the vertices are those found by trial",
-      LargestErrorAtVertices(RandomTriangles(random, 60), RandomTriangles(random, triangles)),
+      LargestMagnitude(
+        Measure(surface, reference).atVertices - DistancesByTrial(surface.V, reference)),
       1e-14);
+  }
+}
+
+void CheckHausdorffAgainstTrial(Checks& c)
+{
+  Random random;
+  for (int k = 0; k < 5; ++k)
+  {
+    const TestMesh a = RandomTriangles(random, 8), b = RandomTriangles(random, 5);
+    const double forth = Measure(a, b, 10000).hausdorff, back = Measure(b, a, 10000).hausdorff;
+    const double hausdorff = std::max(DistancesByTrial(FineGrid(a, 50), b).maxCoeff(),
+      DistancesByTrial(FineGrid(b, 50), a).maxCoeff());
+    // Both are lower bounds, from points that are about 0.03 apart.
+    c.Error("the Hausdorff distance is that found by trial", std::abs(forth - hausdorff), 0.02);
+    c.Error("the Hausdorff distance is the same in both directions", std::abs(forth - back), 1e-15);
   }
 }
 
@@ -71,17 +100,18 @@ void CheckEmptySurfaces(Checks& c)
 {
   TestMesh nothing = Grid(1, 0);
   nothing.T.resize(0, 3);
-  c.True("a surface without triangles has no distance", Measure(nothing, Cube()).hausdorff == 0);
+  c.Equal("a surface without triangles has no distance", Measure(nothing, Cube()).hausdorff, 0);
   c.Throws<InputError>(
     "a reference without triangles is an error", [&] { Measure(Cube(), nothing); });
 }
 }
 
-int TestSurfaceDistance(int, char*[])
+int TestSurfaceDistance(int argc, char* argv[])
 {
-  Checks c;
-  CheckAgainstTrial(c);
-  CheckDirections(c);
-  CheckEmptySurfaces(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("AgainstTrial", CheckAgainstTrial);
+  groups.Run("HausdorffAgainstTrial", CheckHausdorffAgainstTrial);
+  groups.Run("Directions", CheckDirections);
+  groups.Run("EmptySurfaces", CheckEmptySurfaces);
+  return groups.Result();
 }

@@ -83,17 +83,19 @@ double UnevennessWithinTriangle(Index count)
   }
   return unevenness;
 }
-}
 
-int TestSurfaceSampler(int, char*[])
+void CheckAllMeshes(Checks& c)
 {
-  Checks c;
   for (const auto& [name, mesh] : AllTestMeshes())
   {
     c.Error("samples lie on the surface: " + name, OffSurface(mesh), 1e-12);
     c.Error("the sampler's area is the surface's: " + name,
       std::abs(SurfaceSampler(mesh.V, mesh.T).Area() / SurfaceArea(mesh) - 1), 1e-14);
   }
+}
+
+void CheckDistribution(Checks& c)
+{
   const TestMesh grid = Grid(4, 0.3);
   c.Error(
     "equal areas get equal numbers of samples", UnevennessOverTriangles(Separated(grid), 2000), 1);
@@ -101,5 +103,13 @@ int TestSurfaceSampler(int, char*[])
   c.Error("the samples are the same in every run",
     MaximumDistance(Samples(grid, 100), Samples(grid, 100)), 0);
   c.Error("no triangles have no area", SurfaceSampler(Points(0, 3), Triangles(0, 3)).Area(), 0);
-  return c.Result();
+}
+}
+
+int TestSurfaceSampler(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("AllMeshes", CheckAllMeshes);
+  groups.Run("Distribution", CheckDistribution);
+  return groups.Result();
 }

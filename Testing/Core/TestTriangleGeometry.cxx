@@ -167,13 +167,13 @@ void CheckVolumesAndSizes(Checks& c)
 }
 }
 
-int TestTriangleGeometry(int, char*[])
+int TestTriangleGeometry(int argc, char* argv[])
 {
-  Checks c;
-  CheckCotangents(c);
-  CheckVoronoiAreas(c);
-  CheckAngleDefects(c);
-  CheckNormals(c);
-  CheckVolumesAndSizes(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Cotangents", CheckCotangents);
+  groups.Run("VoronoiAreas", CheckVoronoiAreas);
+  groups.Run("AngleDefects", CheckAngleDefects);
+  groups.Run("Normals", CheckNormals);
+  groups.Run("VolumesAndSizes", CheckVolumesAndSizes);
+  return groups.Result();
 }

@@ -95,10 +95,10 @@ void CheckTurned(Checks& c)
 {
   // At the height h over the middle, a face makes the angle atan(h / (sqrt(3) / 2)) with the plane;
   // its cosine is 0.3 at h = 2.75.
-  c.True("a cone whose faces are turned by 72 degrees is accepted",
-    MovedVertex(Hexagon(), 0, { 0, 0, 2.7 }).Turned() == 0);
-  c.True("a cone whose faces are turned by 73 degrees is not",
-    MovedVertex(Hexagon(), 0, { 0, 0, 2.8 }).Turned() == 6);
+  c.Equal("a cone whose faces are turned by 72 degrees is accepted",
+    MovedVertex(Hexagon(), 0, { 0, 0, 2.7 }).Turned(), 0);
+  c.Equal("a cone whose faces are turned by 73 degrees is not",
+    MovedVertex(Hexagon(), 0, { 0, 0, 2.8 }).Turned(), 6);
 }
 
 /// Two triangles with the edge from (0, 0, 0) to (0, 1, 0), one of them flat at x < 0.
@@ -119,16 +119,16 @@ Vector3 ClosedBy(double degrees)
 
 void CheckFolded(Checks& c)
 {
-  c.True("a hinge that is closed by 119 degrees is accepted",
-    MovedVertex(Hinge(), 3, ClosedBy(119)).Folded() == 0);
-  c.True("a hinge that is closed by 121 degrees is folded",
-    MovedVertex(Hinge(), 3, ClosedBy(121)).Folded() == 2);
+  c.Equal("a hinge that is closed by 119 degrees is accepted",
+    MovedVertex(Hinge(), 3, ClosedBy(119)).Folded(), 0);
+  c.Equal("a hinge that is closed by 121 degrees is folded",
+    MovedVertex(Hinge(), 3, ClosedBy(121)).Folded(), 2);
   TestMesh closed = Hinge();
   closed.V.row(3) = ClosedBy(150);
-  c.True("a hinge that was closed further may be opened",
-    MovedVertex(closed, 3, ClosedBy(140)).Folded() == 0);
-  c.True("a hinge that was closed further may not be closed more",
-    MovedVertex(closed, 3, ClosedBy(155)).Folded() == 2);
+  c.Equal("a hinge that was closed further may be opened",
+    MovedVertex(closed, 3, ClosedBy(140)).Folded(), 0);
+  c.Equal("a hinge that was closed further may not be closed more",
+    MovedVertex(closed, 3, ClosedBy(155)).Folded(), 2);
 }
 
 void CheckInverted(Checks& c)
@@ -136,12 +136,12 @@ void CheckInverted(Checks& c)
   // Beyond the edge between the ring's first two corners, whose triangle turns over.
   const Vector3 beyond(0.95 * std::sqrt(3) / 2, 0.95 / 2, 0);
   const MovedVertex moved(Hexagon(), 0, beyond);
-  c.True(
-    "a vertex that leaves its ring inverts the triangle that it crosses", moved.Inverted() == 1);
+  c.Equal(
+    "a vertex that leaves its ring inverts the triangle that it crosses", moved.Inverted(), 1);
   TestMesh inverted = Hexagon();
   inverted.V.row(0) = beyond;
-  c.True(
-    "a triangle that was inverted may stay so", MovedVertex(inverted, 0, beyond).Inverted() == 0);
+  c.Equal(
+    "a triangle that was inverted may stay so", MovedVertex(inverted, 0, beyond).Inverted(), 0);
 }
 
 void CheckGuard(Checks& c)
@@ -157,13 +157,13 @@ void CheckGuard(Checks& c)
 }
 }
 
-int TestTriangleValidity(int, char*[])
+int TestTriangleValidity(int argc, char* argv[])
 {
-  Checks c;
-  CheckAcceptedMotions(c);
-  CheckTurned(c);
-  CheckFolded(c);
-  CheckInverted(c);
-  CheckGuard(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("AcceptedMotions", CheckAcceptedMotions);
+  groups.Run("Turned", CheckTurned);
+  groups.Run("Folded", CheckFolded);
+  groups.Run("Inverted", CheckInverted);
+  groups.Run("Guard", CheckGuard);
+  return groups.Result();
 }

@@ -48,7 +48,7 @@ void CheckStatistics(Checks& c)
     ComputeStatistics(Values({ 0, 8, 1, 100, 4, 2 }), { 0, 1, 1, 0, 1, 1 });
   c.Error("unused vertices do not count",
     Difference(Values({ used.minimum, used.maximum, used.threshold }), Values({ 1, 8, 9.875 })), 0);
-  c.True("no vertices have statistics of 0", Statistics(Vector()).threshold == 0);
+  c.Equal("no vertices have statistics of 0", Statistics(Vector()).threshold, 0);
 }
 
 void CheckLinearWeights(Checks& c)
@@ -185,14 +185,14 @@ void CheckSharpFeatures(Checks& c)
 }
 }
 
-int TestWeights(int, char*[])
+int TestWeights(int argc, char* argv[])
 {
-  Checks c;
-  CheckStatistics(c);
-  CheckLinearWeights(c);
-  CheckOtherWeights(c);
-  CheckLooseComponents(c);
-  CheckSharpVertices(c);
-  CheckSharpFeatures(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Statistics", CheckStatistics);
+  groups.Run("LinearWeights", CheckLinearWeights);
+  groups.Run("OtherWeights", CheckOtherWeights);
+  groups.Run("LooseComponents", CheckLooseComponents);
+  groups.Run("SharpVertices", CheckSharpVertices);
+  groups.Run("SharpFeatures", CheckSharpFeatures);
+  return groups.Result();
 }

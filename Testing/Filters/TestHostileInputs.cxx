@@ -148,7 +148,7 @@ struct FirstFault
 void Check(Checks& c, const std::string& property, const FirstFault& fault)
 {
   const std::string count = std::to_string(fault.count) + " faults, the first with ";
-  c.True(fault.count > 0 ? property + "; " + count + fault.text : property, fault.count == 0);
+  c.Equal(fault.count > 0 ? property + "; " + count + fault.text : property, fault.count, 0);
 }
 
 /// \param scaleFactor s, and how many times its default the detail weight is

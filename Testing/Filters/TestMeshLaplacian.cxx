@@ -45,8 +45,8 @@ void CheckSphere(Checks& c)
       std::abs(PointValues(output, "VoronoiArea").sum() / SurfaceArea(sphere) - 1), 1e-6);
     for (const auto& [name, components] : Arrays)
     {
-      c.True(std::string("arrays are double: ") + name,
-        output->GetPointData()->GetArray(name)->GetDataType() == VTK_DOUBLE);
+      c.Equal(std::string("arrays are double: ") + name,
+        output->GetPointData()->GetArray(name)->GetDataType(), VTK_DOUBLE);
     }
   }
 }
@@ -90,24 +90,24 @@ void CheckOtherInput(Checks& c)
   vtkNew<vtkMeshLaplacian> filter;
   vtkNew<vtkPolyData> nothing;
   filter->SetInputData(nothing);
-  c.True("an empty input is no error", Update(filter).errors.empty());
-  c.True("an empty input gives an empty output", filter->GetOutput()->GetNumberOfPoints() == 0);
+  c.Equal("an empty input is no error", Update(filter).errors, "");
+  c.Equal("an empty input gives an empty output", filter->GetOutput()->GetNumberOfPoints(), 0);
 
   const auto edges = MakePolyData(Cube());
   edges->GetPolys()->InsertNextCell({ 0, 1 });
   filter->SetInputData(edges);
-  c.True("polygons of two points are an error which names vtkCleanPolyData",
-    Update(filter).errors.find("vtkCleanPolyData") != std::string::npos);
+  c.Says("polygons of two points are an error which names vtkCleanPolyData", Update(filter).errors,
+    "vtkCleanPolyData");
   c.True("after an error the output is empty", IsEmpty(filter->GetOutput()));
 }
 }
 
-int TestMeshLaplacian(int, char*[])
+int TestMeshLaplacian(int argc, char* argv[])
 {
-  Checks c;
-  CheckSphere(c);
-  CheckHandDerivedValues(c);
-  CheckMixedCells(c);
-  CheckOtherInput(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Sphere", CheckSphere);
+  groups.Run("HandDerivedValues", CheckHandDerivedValues);
+  groups.Run("MixedCells", CheckMixedCells);
+  groups.Run("OtherInput", CheckOtherInput);
+  return groups.Result();
 }

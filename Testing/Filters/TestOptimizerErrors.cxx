@@ -44,7 +44,7 @@ void CheckRefusal(Checks& c, const std::string& what,
   const std::string errors = Update(filter).errors;
   for (const std::string& text : texts)
   {
-    c.True(what + ": the error says '" + text + "'", errors.find(text) != std::string::npos);
+    c.Says(what + ": the error says '" + text + "'", errors, text);
   }
   c.True(what + ": the output is empty", IsEmpty(filter->GetOutput()));
 
@@ -252,21 +252,20 @@ void CheckPieces(Checks& c)
   filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkTest::ErrorObserver>());
   filter->UpdatePiece(0, 2, 0);
   const std::string error = observer->GetErrorMessage();
-  c.True(
-    "pieces are an error that names what is missing", error.find("PETSc") != std::string::npos);
+  c.Says("pieces are an error that names what is missing", error, "PETSc");
   c.True("there is no result for a piece", IsEmpty(filter->GetOutput()));
 }
 }
 
-int TestOptimizerErrors(int, char*[])
+int TestOptimizerErrors(int argc, char* argv[])
 {
-  Checks c;
-  CheckCells(c);
-  CheckCoordinates(c);
-  CheckArrays(c);
-  CheckHugeCoordinates(c);
-  CheckOverflow(c);
-  CheckNormals(c);
-  CheckPieces(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Cells", CheckCells);
+  groups.Run("Coordinates", CheckCoordinates);
+  groups.Run("Arrays", CheckArrays);
+  groups.Run("HugeCoordinates", CheckHugeCoordinates);
+  groups.Run("Overflow", CheckOverflow);
+  groups.Run("Normals", CheckNormals);
+  groups.Run("Pieces", CheckPieces);
+  return groups.Result();
 }

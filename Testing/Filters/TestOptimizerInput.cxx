@@ -24,14 +24,14 @@ void CheckPointTypes(Checks& c)
   const auto input = MakePolyData(sphere, VTK_FLOAT);
   const auto fromFloat = Optimized(input);
   const auto fromDouble = Optimized(MakePolyData(sphere, VTK_DOUBLE));
-  c.True("float points stay float", fromFloat->GetPoints()->GetDataType() == VTK_FLOAT);
-  c.True("double points stay double", fromDouble->GetPoints()->GetDataType() == VTK_DOUBLE);
+  c.Equal("float points stay float", fromFloat->GetPoints()->GetDataType(), VTK_FLOAT);
+  c.Equal("double points stay double", fromDouble->GetPoints()->GetDataType(), VTK_DOUBLE);
   c.Error("float and double points give the same result",
     MaximumDistance(PointsOf(fromFloat), PointsOf(fromDouble)), 1e-5);
   c.Error("displacements are those of the float points",
     MaximumDistance(PointValues(fromFloat, "Displacement"), PointsOf(fromFloat) - PointsOf(input)),
     0);
-  c.True("points move", MaximumDistance(PointsOf(fromDouble), sphere.V) > 0.01);
+  c.Greater("points move", MaximumDistance(PointsOf(fromDouble), sphere.V), 0.01);
 }
 
 void CheckPassing(Checks& c)
@@ -45,8 +45,8 @@ void CheckPassing(Checks& c)
   c.True("point data pass through", Contains(output->GetPointData(), input->GetPointData()));
   c.True("cell data pass through", Contains(output->GetCellData(), input->GetCellData()));
   c.True("field data pass through", Contains(output->GetFieldData(), input->GetFieldData()));
-  c.True("the active scalars stay",
-    output->GetPointData()->GetScalars() == output->GetPointData()->GetArray("PointNumber"));
+  c.Equal("the active scalars stay", output->GetPointData()->GetScalars(),
+    output->GetPointData()->GetArray("PointNumber"));
   c.Error(
     "an isolated point stays", (PointsOf(output).row(169) - PointsOf(input).row(169)).norm(), 0);
   c.Error("strips and triangles give the same result",
@@ -62,7 +62,7 @@ void CheckInputIsKept(Checks& c)
   const vtkMTimeType time = input->GetMTime();
   Optimized(input);
   c.True("the input is not modified", AreEqual(input, copy));
-  c.True("the input's time does not change", input->GetMTime() == time);
+  c.Equal("the input's time does not change", input->GetMTime(), time);
 }
 
 void CheckComponents(Checks& c)
@@ -126,11 +126,12 @@ void CheckNormals(Checks& c)
     MaximumDistance(ValuesOf(normals), NormalsOf({ PointsOf(output), sphere.T })), 1e-6);
   c.True("normals keep their name and type",
     normals->GetName() == std::string("N") && normals->GetDataType() == VTK_FLOAT);
-  c.True("the input's normals are not touched", inputNormals->GetComponent(5, 0) == 1);
-  c.True("normals pass through if ComputeNormals is off",
+  c.Equal("the input's normals are not touched", inputNormals->GetComponent(5, 0), 1);
+  c.Equal("normals pass through if ComputeNormals is off",
     Optimized(input, [](vtkLaplacianMeshOptimizer* filter) { filter->ComputeNormalsOff(); })
-        ->GetPointData()
-        ->GetNormals() == inputNormals);
+      ->GetPointData()
+      ->GetNormals(),
+    inputNormals);
   c.True("without normals there are none to recompute",
     !Optimized(MakePolyData(sphere))->GetPointData()->GetNormals());
 
@@ -150,27 +151,27 @@ void CheckEmptyInput(Checks& c)
   vtkNew<vtkPolyData> nothing;
   vtkNew<vtkLaplacianMeshOptimizer> filter;
   filter->SetInputData(nothing);
-  c.True("an empty input is no error", Update(filter).errors.empty());
+  c.Equal("an empty input is no error", Update(filter).errors, "");
   c.True("an empty input gives an empty output",
     filter->GetOutput()->GetNumberOfPoints() == 0 && filter->GetOutput()->GetNumberOfCells() == 0);
 
   const Points points = Points::Ones(3, 3);
   filter->SetInputData(MakePolyData({ points, Triangles(0, 3) }));
-  c.True("points alone are no error", Update(filter).errors.empty());
+  c.Equal("points alone are no error", Update(filter).errors, "");
   c.Error("points alone stay", MaximumDistance(PointsOf(filter->GetOutput()), points), 0);
-  c.True("points alone have no quality", filter->GetMeanRadiusRatio() == -1);
+  c.Equal("points alone have no quality", filter->GetMeanRadiusRatio(), -1);
 }
 }
 
-int TestOptimizerInput(int, char*[])
+int TestOptimizerInput(int argc, char* argv[])
 {
-  Checks c;
-  CheckPointTypes(c);
-  CheckPassing(c);
-  CheckInputIsKept(c);
-  CheckComponents(c);
-  CheckRepetition(c);
-  CheckNormals(c);
-  CheckEmptyInput(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("PointTypes", CheckPointTypes);
+  groups.Run("Passing", CheckPassing);
+  groups.Run("InputIsKept", CheckInputIsKept);
+  groups.Run("Components", CheckComponents);
+  groups.Run("Repetition", CheckRepetition);
+  groups.Run("Normals", CheckNormals);
+  groups.Run("EmptyInput", CheckEmptyInput);
+  return groups.Result();
 }

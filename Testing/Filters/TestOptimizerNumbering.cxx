@@ -154,7 +154,7 @@ void CheckOrder(Checks& c, const std::string& name, const Sheet& sheet,
   };
   const auto original = optimized(InOrder(sheet.mesh.V.rows()), InOrder(sheet.mesh.T.rows()));
   const auto shuffled = optimized(points, triangles);
-  c.True("points move: " + name, MaximumDistance(PointsOf(original), sheet.mesh.V) > 0.05);
+  c.Greater("points move: " + name, MaximumDistance(PointsOf(original), sheet.mesh.V), 0.05);
   c.Error("points of a scattered mesh have their own positions: " + name,
     MaximumDistance(PointsOf(shuffled), PointsOf(original)(points, Eigen::indexing::all)), 1e-6);
   c.Error("point arrays of a scattered mesh are in the order of its points: " + name,
@@ -216,8 +216,8 @@ void CheckErrors(Checks& c, Sheet sheet)
   filter->SetPositionWeighting(Optimizer::ARRAY);
   ChooseArray(filter, Optimizer::POSITION_WEIGHT_ARRAY, "weights");
   filter->SetInputData(MakeInput(sheet, points, InOrder(sheet.mesh.T.rows())));
-  c.True("an error names the point of a scattered mesh by its own number",
-    Update(filter).errors.find("the first is point 77.") != std::string::npos);
+  c.Says("an error names the point of a scattered mesh by its own number", Update(filter).errors,
+    "the first is point 77.");
 }
 }
 

@@ -57,8 +57,8 @@ void CheckProgress(Checks& c)
   c.True("progress never falls", std::is_sorted(progress.begin(), progress.end()));
   c.True("progress is between 0 and 1",
     !progress.empty() && progress.front() >= 0 && progress.back() <= 1);
-  c.True("progress is shown in many steps",
-    std::set<double>(progress.begin(), progress.end()).size() > 10);
+  c.Greater("progress is shown in many steps",
+    std::set<double>(progress.begin(), progress.end()).size(), 10);
   c.True("progress gets near the end before it is there",
     std::any_of(progress.begin(), progress.end(), [](double p) { return p > 0.8 && p < 1; }));
 
@@ -79,11 +79,12 @@ void CheckAbort(Checks& c)
     vtkNew<ProgressObserver> observer;
     observer->AbortAt = abortAt;
     const unsigned long tag = filter->AddObserver(vtkCommand::ProgressEvent, observer);
-    c.True("an abort is no error", Update(filter).errors.empty());
+    c.Equal("an abort is no error", Update(filter).errors, "");
     c.True("an abort leaves the output empty", IsEmpty(filter->GetOutput()));
-    c.True(
-      "an abort stops at once", std::count_if(observer->Progress.begin(), observer->Progress.end(),
-                                  [&](double p) { return p >= abortAt && p < 1; }) == 1);
+    c.Equal("an abort stops at once",
+      std::count_if(observer->Progress.begin(), observer->Progress.end(),
+        [&](double p) { return p >= abortAt && p < 1; }),
+      1);
 
     filter->RemoveObserver(tag);
     filter->AbortExecuteOff();
@@ -104,14 +105,14 @@ void CheckAbortWithinDeviation(Checks& c)
   vtkNew<ProgressObserver> observer;
   observer->AbortAt = 0.5;
   filter->AddObserver(vtkCommand::ProgressEvent, observer);
-  c.True("an abort within a deviation is no error", Update(filter).errors.empty());
+  c.Equal("an abort within a deviation is no error", Update(filter).errors, "");
   c.True("an abort within a deviation leaves the mesh so far",
     filter->GetOutput()->GetNumberOfPoints() == 642 && filter->GetPasses() > 0 &&
       filter->GetPasses() < filter->GetNumberOfPasses());
   c.Error("the mesh so far has its bound", filter->GetRelativeHausdorffBound(),
     filter->GetMaximumDeviation());
-  c.True("the mesh so far is better than the input",
-    filter->GetMeanRadiusRatio() > filter->GetInputMeanRadiusRatio());
+  c.Greater("the mesh so far is better than the input", filter->GetMeanRadiusRatio(),
+    filter->GetInputMeanRadiusRatio());
 }
 
 void CheckTolerance(Checks& c)
@@ -124,11 +125,10 @@ void CheckTolerance(Checks& c)
   const Messages messages = Update(filter);
   std::ostringstream residual;
   residual << filter->GetRelativeResidual();
-  c.True("too few iterations are no error", messages.errors.empty());
+  c.Equal("too few iterations are no error", messages.errors, "");
   for (const std::string& text : { residual.str(), std::string("MaximumNumberOfIterations") })
   {
-    c.True("too few iterations give a warning with " + text,
-      messages.warnings.find(text) != std::string::npos);
+    c.Says("too few iterations give a warning with " + text, messages.warnings, text);
   }
   c.True("the best result so far is kept",
     filter->GetIterations() == 3 && filter->GetOutput()->GetNumberOfPoints() == 642);
@@ -136,18 +136,18 @@ void CheckTolerance(Checks& c)
   filter->SetTolerance(1e-9);
   filter->SetMaximumNumberOfIterations(1);
   filter->SetSolverType(Optimizer::AUTOMATIC);
-  c.True("the automatic choice gives no warning", Update(filter).warnings.empty());
+  c.Equal("the automatic choice gives no warning", Update(filter).warnings, "");
   c.Error(
     "the automatic choice falls back to the direct solver", filter->GetRelativeResidual(), 1e-9);
 }
 }
 
-int TestOptimizerProgress(int, char*[])
+int TestOptimizerProgress(int argc, char* argv[])
 {
-  Checks c;
-  CheckProgress(c);
-  CheckAbort(c);
-  CheckAbortWithinDeviation(c);
-  CheckTolerance(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Progress", CheckProgress);
+  groups.Run("Abort", CheckAbort);
+  groups.Run("AbortWithinDeviation", CheckAbortWithinDeviation);
+  groups.Run("Tolerance", CheckTolerance);
+  return groups.Result();
 }

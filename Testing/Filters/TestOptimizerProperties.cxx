@@ -63,7 +63,7 @@ void CheckDefaults(Checks& c)
     [&](const std::string& name, auto& value, auto, auto&... option)
     {
       using Value = std::decay_t<decltype(value)>;
-      (c.True(name + " has the default of its option", value == static_cast<Value>(option)), ...);
+      (c.Equal(name + " has the default of its option", value, static_cast<Value>(option)), ...);
     });
 }
 
@@ -76,7 +76,7 @@ void CheckPrinting(Checks& c)
   {
     std::ostringstream line;
     line << "\n  " << name << ": " << value << "\n";
-    c.True("the filter prints " + name, text.str().find(line.str()) != std::string::npos);
+    c.Says("the filter prints " + name, text.str(), line.str());
   };
   const lmo::OptimizerOptions options;
   Tables::VisitProperties(*filter.Get(), options, check);
@@ -127,8 +127,8 @@ void CheckRanges(Checks& c)
     {
       const auto limits = PropertyLimits.find(name);
       const bool isSwitch = std::is_same_v<decltype(validValues), lmo::Switch>;
-      c.True(
-        name + " has limits unless it is a switch", (limits == PropertyLimits.end()) == isSwitch);
+      c.Equal(
+        name + " has limits unless it is a switch", (limits == PropertyLimits.end()), isSwitch);
       if (limits != PropertyLimits.end())
       {
         CheckLimits(c, filter, name, value, limits->second);
@@ -144,7 +144,7 @@ std::map<std::string, double> MetricsOf(vtkLaplacianMeshOptimizer* filter)
   return metrics;
 }
 
-void CheckMetrics(Checks& c, int mode)
+void CheckMetricsOf(Checks& c, int mode)
 {
   const std::string ofMode = " of mode " + std::to_string(mode);
   vtkNew<vtkLaplacianMeshOptimizer> filter;
@@ -166,15 +166,20 @@ void CheckMetrics(Checks& c, int mode)
   filter->UpdateInformation();
   c.True("metrics" + ofMode + " are reset", MetricsOf(filter) == initial);
 }
+
+void CheckMetrics(Checks& c)
+{
+  CheckMetricsOf(c, vtkLaplacianMeshOptimizer::SMOOTH);
+  CheckMetricsOf(c, vtkLaplacianMeshOptimizer::OPTIMIZE_WITHIN_DEVIATION);
+}
 }
 
-int TestOptimizerProperties(int, char*[])
+int TestOptimizerProperties(int argc, char* argv[])
 {
-  Checks c;
-  CheckDefaults(c);
-  CheckPrinting(c);
-  CheckRanges(c);
-  CheckMetrics(c, vtkLaplacianMeshOptimizer::SMOOTH);
-  CheckMetrics(c, vtkLaplacianMeshOptimizer::OPTIMIZE_WITHIN_DEVIATION);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("Defaults", CheckDefaults);
+  groups.Run("Printing", CheckPrinting);
+  groups.Run("Ranges", CheckRanges);
+  groups.Run("Metrics", CheckMetrics);
+  return groups.Result();
 }

@@ -113,12 +113,12 @@ void CheckDefault(Checks& c)
   vtkNew<Optimizer> filter;
   filter->SetInputData(MakePolyData(Irregular(Icosphere(2), 0.05)));
   filter->Update();
-  c.True("the default mode is that with a guarantee",
-    filter->GetMode() == Optimizer::OPTIMIZE_WITHIN_DEVIATION);
+  c.Equal("the default mode is that with a guarantee", filter->GetMode(),
+    Optimizer::OPTIMIZE_WITHIN_DEVIATION);
   c.Error("the default keeps the surface within MaximumDeviation",
     filter->GetRelativeHausdorffBound(), filter->GetMaximumDeviation());
-  c.True("the default improves the triangles",
-    filter->GetMeanRadiusRatio() > filter->GetInputMeanRadiusRatio());
+  c.Greater("the default improves the triangles", filter->GetMeanRadiusRatio(),
+    filter->GetInputMeanRadiusRatio());
 }
 }
 

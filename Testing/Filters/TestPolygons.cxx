@@ -160,10 +160,10 @@ void CheckOptimizer(Checks& c)
   quads->GetCellData()->SetScalars(numbers);
   const auto output = Optimized(quads);
   c.True("quads come out as they came in", AreEqual(output->GetPolys(), quads->GetPolys()));
-  c.True("cell data come out as they came in", output->GetCellData()->GetScalars() == numbers);
-  c.True("points of quads move", MaximumDistance(PointsOf(output), PointsOf(quads)) > 0.01);
-  c.True("quads give something else than their triangles",
-    MaximumDistance(PointsOf(output), PointsOf(Optimized(MakePatch(false)))) > 0.01);
+  c.Equal("cell data come out as they came in", output->GetCellData()->GetScalars(), numbers);
+  c.Greater("points of quads move", MaximumDistance(PointsOf(output), PointsOf(quads)), 0.01);
+  c.Greater("quads give something else than their triangles",
+    MaximumDistance(PointsOf(output), PointsOf(Optimized(MakePatch(false)))), 0.01);
   c.Error("it does not matter with which corner a quad begins",
     MaximumDistance(PointsOf(output), PointsOf(Optimized(MakeRotatedPatch()))), 1e-9);
 }
@@ -194,21 +194,21 @@ void CheckDegeneratePolygons(Checks& c)
   vtkNew<vtkLaplacianMeshOptimizer> filter;
   filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
   filter->SetInputData(flat);
-  c.True("polygons without area are no error", Update(filter).errors.empty());
+  c.Equal("polygons without area are no error", Update(filter).errors, "");
   c.Error("polygons without area have the radius ratio 0",
     LargestMagnitude(CellValues(filter->GetOutput(), "RadiusRatio")), 0);
   c.True("polygons without area give finite points", PointsOf(filter->GetOutput()).allFinite());
 }
 }
 
-int TestPolygons(int, char*[])
+int TestPolygons(int argc, char* argv[])
 {
-  Checks c;
-  CheckRadiusRatios(c);
-  CheckConcavePolygons(c);
-  CheckDeviation(c);
-  CheckOptimizer(c);
-  CheckMixture(c);
-  CheckDegeneratePolygons(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("RadiusRatios", CheckRadiusRatios);
+  groups.Run("ConcavePolygons", CheckConcavePolygons);
+  groups.Run("Deviation", CheckDeviation);
+  groups.Run("Optimizer", CheckOptimizer);
+  groups.Run("Mixture", CheckMixture);
+  groups.Run("DegeneratePolygons", CheckDegeneratePolygons);
+  return groups.Result();
 }

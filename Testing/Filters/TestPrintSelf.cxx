@@ -17,8 +17,8 @@ void CheckNames(Checks& c, vtkObject* filter, const std::vector<std::string>& na
   filter->Print(text);
   for (const std::string& name : names)
   {
-    c.True(std::string(filter->GetClassName()) + " prints " + name,
-      text.str().find("\n  " + name + ": ") != std::string::npos);
+    c.Says(
+      std::string(filter->GetClassName()) + " prints " + name, text.str(), "\n  " + name + ": ");
   }
 }
 }

@@ -63,10 +63,10 @@ void CheckArraysOfTheUser(Checks& c)
     MaximumDistance(
       PointValues(output, "DisplacementOptimized"), PointsOf(output) - PointsOf(input)),
     0);
-  c.True("the result of the cells has another name",
-    CellValues(output, "RadiusRatioOptimized").rows() == 80);
-  c.True("the metric has another name",
-    FieldValue(output, "IterationsOptimized") == filter->GetIterations());
+  c.Equal("the result of the cells has another name",
+    CellValues(output, "RadiusRatioOptimized").rows(), 80);
+  c.Equal("the metric has another name", FieldValue(output, "IterationsOptimized"),
+    filter->GetIterations());
   for (const char* text : { "3 arrays", "point array 'Displacement'", "cell array 'RadiusRatio'",
          "field array 'Iterations'", "DisplacementOptimized" })
   {
@@ -113,8 +113,8 @@ void CheckOtherFilters(Checks& c)
   laplacian->SetInputConnection(ratio->GetOutputPort());
   vtkNew<Optimizer> optimizer;
   optimizer->SetInputConnection(laplacian->GetOutputPort());
-  c.True(
-    "results of the other filters are replaced without a word", Update(optimizer).warnings.empty());
+  c.Equal(
+    "results of the other filters are replaced without a word", Update(optimizer).warnings, "");
   c.True("and under their names",
     CellValues(optimizer->GetOutput(), "RadiusRatio").mean() == optimizer->GetMeanRadiusRatio() &&
       !optimizer->GetOutput()->GetPointData()->HasArray("MeanCurvatureOptimized"));
@@ -193,17 +193,17 @@ void CheckCellNormalsOfMixedCells(Checks& c)
   AddCellNormals(triangles);
   const Eigen::MatrixXd ofTriangles = CellValues(Optimized(triangles), "N");
   const Vector3 first = ofTriangles.row(147);
-  c.True("a strip looks where its triangles look", first.dot(normals.row(147)) > 0.8);
+  c.Greater("a strip looks where its triangles look", first.dot(normals.row(147)), 0.8);
 }
 }
 
-int TestResultArrays(int, char*[])
+int TestResultArrays(int argc, char* argv[])
 {
-  Checks c;
-  CheckArraysOfTheUser(c);
-  CheckRepetition(c);
-  CheckOtherFilters(c);
-  CheckCellNormals(c);
-  CheckCellNormalsOfMixedCells(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("ArraysOfTheUser", CheckArraysOfTheUser);
+  groups.Run("Repetition", CheckRepetition);
+  groups.Run("OtherFilters", CheckOtherFilters);
+  groups.Run("CellNormals", CheckCellNormals);
+  groups.Run("CellNormalsOfMixedCells", CheckCellNormalsOfMixedCells);
+  return groups.Result();
 }

@@ -101,25 +101,25 @@ void CheckOtherInput(Checks& c)
   vtkNew<vtkTriangleRadiusRatio> filter;
   vtkNew<vtkPolyData> nothing;
   filter->SetInputData(nothing);
-  c.True("an empty input is no error", Update(filter).errors.empty());
+  c.Equal("an empty input is no error", Update(filter).errors, "");
   c.True("an empty input has no quality",
     filter->GetMeanRadiusRatio() == -1 && filter->GetMinimumRadiusRatio() == -1);
 
   const auto edges = MakePolyData(Cube());
   edges->GetPolys()->InsertNextCell({ 0, 1 });
   filter->SetInputData(edges);
-  c.True("polygons of two points are an error which names vtkCleanPolyData",
-    Update(filter).errors.find("vtkCleanPolyData") != std::string::npos);
+  c.Says("polygons of two points are an error which names vtkCleanPolyData", Update(filter).errors,
+    "vtkCleanPolyData");
   c.True("after an error the output is empty", IsEmpty(filter->GetOutput()));
 }
 }
 
-int TestTriangleRadiusRatio(int, char*[])
+int TestTriangleRadiusRatio(int argc, char* argv[])
 {
-  Checks c;
-  CheckKnownValues(c);
-  CheckStrips(c);
-  CheckMixedCells(c);
-  CheckOtherInput(c);
-  return c.Result();
+  Groups groups(argc, argv);
+  groups.Run("KnownValues", CheckKnownValues);
+  groups.Run("Strips", CheckStrips);
+  groups.Run("MixedCells", CheckMixedCells);
+  groups.Run("OtherInput", CheckOtherInput);
+  return groups.Result();
 }
