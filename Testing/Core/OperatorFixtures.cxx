@@ -32,6 +32,12 @@ Eigen::MatrixXd DenseMatrix(const Laplacian& L)
   return matrix;
 }
 
+Eigen::MatrixXd StiffnessMatrix(Laplacian L)
+{
+  L.rowScale.setOnes();
+  return -DenseMatrix(L);
+}
+
 OptimizerResult Run(
   const TestMesh& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {

@@ -23,6 +23,9 @@ struct OperatorFixtures
 /// The matrix of an operator, column by column.
 Eigen::MatrixXd DenseMatrix(const lmo::Laplacian& L);
 
+/// K = E - S with L = -G K.
+Eigen::MatrixXd StiffnessMatrix(lmo::Laplacian L);
+
 /// Optimize() without a monitor.
 lmo::OptimizerResult Run(
   const TestMesh& mesh, const lmo::OptimizerOptions& options, const lmo::VertexArrays& arrays = {});

@@ -6,6 +6,8 @@
 
 #include "Core/Optimizer/Optimizer.h"
 
+#include <Eigen/Eigenvalues>
+
 #include <cmath>
 
 using namespace lmo;

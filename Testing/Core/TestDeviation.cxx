@@ -119,7 +119,8 @@ void CheckRefit(Checks& c)
       changed.push_back(t);
     }
   }
-  tree.Refit(changed);
+  tree.Invalidate(changed);
+  tree.Refit();
   const Vector3 x = 1.1 * mesh.V.row(moved);
   const double distance = DistanceToSurface(x, mesh);
   c.Error("the tree finds a vertex that has moved out of its box",

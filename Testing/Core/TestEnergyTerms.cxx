@@ -6,6 +6,7 @@
 #include "MeshMeasures.h"
 #include "OperatorFixtures.h"
 
+#include "Core/LeastSquares/NormalOperator.h"
 #include "Core/Solvers/DirectSolver.h"
 #include "Core/Solvers/LinearSolver.h"
 
