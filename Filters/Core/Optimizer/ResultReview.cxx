@@ -98,11 +98,12 @@ void WarnOfVolume(const OptimizerOptions& options, const SurfaceComparison& comp
   const double change = comparison.relativeVolumeChange;
   if (loss.shrunk > 0)
   {
-    warnings.push_back(
-      std::to_string(loss.shrunk) + " of " +
-      Counted(loss.closed, "closed component", "closed components") +
-      " lost more than a tenth of the volume, the largest loss is " + Percent(loss.largest) + ". " +
-      (options.preserveVolume ? "" : "Switch PreserveVolume on. ") + StrengthRemedy(options));
+    warnings.push_back(std::to_string(loss.shrunk) + " of " +
+                       Counted(loss.closed, "closed component", "closed components") +
+                       " lost more than a tenth of the volume, the largest loss is " +
+                       Percent(loss.largest) + ". " +
+                       (options.preserveVolume ? "Raise " : "Switch PreserveVolume on, or raise ") +
+                       (options.mode == Mode::SMOOTH_GUIDED ? "DetailWeight." : "ScaleFactor."));
   }
   else if (options.mode == Mode::OPTIMIZE_TRIANGLES && std::abs(change) > LargestVolumeChange)
   {
