@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
 #include "MeshMeasures.h"
+#include "OperatorFixtures.h"
 #include "PolygonFixtures.h"
 
 #include "Core/Mesh/TriangleGeometry.h"

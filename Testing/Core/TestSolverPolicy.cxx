@@ -18,9 +18,10 @@ namespace
 LeastSquaresProblem SmallProblem()
 {
   const TestMesh mesh = Irregular(Icosphere(2), 0.02);
-  MeshQuantities quantities(mesh.V, mesh.T);
-  const OptimizerOptions options = Options(Mode::SMOOTH);
-  return SetUpProblem(quantities, options, {}, SlidingLines(quantities, options, {}));
+  const MeshQuantities quantities(mesh.V, mesh.T);
+  ProgressMonitor monitor;
+  return MakePlan(CotangentQuantities(quantities, false), Options(Mode::SMOOTH), {}, monitor)
+    .problem;
 }
 
 /// Solvers whose results are given: each reaches a share of the exact displacement.

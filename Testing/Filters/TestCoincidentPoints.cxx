@@ -11,6 +11,8 @@
 #include "vtkPolyData.h"
 #include "vtkTriangleRadiusRatio.h"
 
+#include <Eigen/Geometry>
+
 #include <cmath>
 
 using namespace lmo;

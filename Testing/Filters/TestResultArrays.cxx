@@ -15,6 +15,8 @@
 #include "vtkPolyData.h"
 #include "vtkTriangleRadiusRatio.h"
 
+#include <Eigen/Geometry>
+
 using namespace lmo;
 
 namespace
