@@ -15,7 +15,7 @@ OPTIMIZE_TRIANGLES, SMOOTH, WITHIN_DEVIATION, GUIDED = 0, 1, 3, 4
 CONSTANT = 0
 
 
-# --- Meshes: coordinates, and the point ids of each polygon -----------------------------------------
+# --- Meshes: coordinates, and the point ids of each polygon ----------------------------------------
 def grid_of_quads(cells, jitter, seed=3):
     """A flat square of unit quads, with inner points moved by up to jitter."""
     random = np.random.default_rng(seed)
@@ -54,7 +54,7 @@ def honeycomb_torus(columns=60, rows=24, noise=0.0, seed=1):
     return centres, hexagons.reshape(-1, 6)
 
 
-# --- Measures --------------------------------------------------------------------------------------
+# --- Measures -------------------------------------------------------------------------------------
 def shapes(V, polygons):
     """The quality of polygons from its definition."""
     size = polygons.shape[1]
