@@ -125,8 +125,8 @@ void CheckHandDerivedEntries(Checks& c)
   c.Error("L_ck of the cross is the sum of its cotangents over 4 A",
     LargestMagnitude(DenseMatrix(cross.meanCurvature).row(0) - Row(-9, 1.5, 3, 3, 1.5) / 9), 1e-15);
   c.Error("a boundary edge has the cotangent of one angle",
-    std::abs(-StiffnessMatrix(OperatorFixtures(EquilateralTriangle()).cotangent)(0, 1) -
-             1 / std::sqrt(3)),
+    std::abs(
+      -StiffnessMatrix(OperatorFixtures(EquilateralTriangle()).cotangent)(0, 1) - 1 / std::sqrt(3)),
     1e-15);
   c.Error("L_c of the cube is right", CubeError(1), 1e-15);
   c.Error("L_c of the cube is right in a large unit", CubeError(1e-8), 1e-15);
