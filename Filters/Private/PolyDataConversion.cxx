@@ -194,9 +194,9 @@ void RenumberIfScattered(SurfaceMesh& mesh)
 
 void CheckRange(const Points& positions, const MeshNumbering& numbering)
 {
-  if (FindNotFinite(positions).count > 0)
+  if (FindHuge(positions).count > 0)
   {
-    FindNotFinite(numbering.ToPoints(positions))
+    FindHuge(numbering.ToPoints(positions))
       .ThrowIfAny("points would leave the range of their coordinates", "point",
         "Scale the mesh and the prescribed Laplacians, or convert the points to double.");
   }

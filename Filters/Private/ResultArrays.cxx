@@ -6,19 +6,20 @@
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkInformation.h"
-#include "vtkInformationRequestKey.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 
 namespace lmo
 {
 namespace
 {
-/// Marks our results. Copies of an array have the mark too. Files do not: readers without this
-/// module would warn of an unknown key.
-vtkInformationRequestKey* ResultKey()
+/// Marks our results. Copies of an array have the mark too. Files do not, since writers leave out
+/// keys of this type: readers without this module would warn of an unknown key.
+vtkInformationObjectBaseKey* ResultKey()
 {
-  static vtkInformationRequestKey* const key =
-    vtkInformationRequestKey::MakeKey("RESULT", "vtkLaplacianMeshOptimizer");
+  static vtkInformationObjectBaseKey* const key =
+    vtkInformationObjectBaseKey::MakeKey("RESULT", "vtkLaplacianMeshOptimizer");
   return key;
 }
 
@@ -50,7 +51,7 @@ void ResultArrays::Add(vtkFieldData* data, vtkAbstractArray* result)
     this->Renamed += (this->NumberOfRenamed++ ? ", " : " ") + std::string(KindOf(data)) + " '" +
                      name + "' (result '" + newName + "')";
   }
-  result->GetInformation()->Set(ResultKey());
+  result->GetInformation()->Set(ResultKey(), vtkNew<vtkObject>());
   data->AddArray(result);
 }
 

@@ -101,7 +101,9 @@ struct Junction
       points.push_back(x);
       x += step % (run + 1) == run ? Vector3(1, 0, 0) : Vector3(0, 1, 0);
     }
-    const Vector3 directions[3] = { { 1, 0, 0.3 }, { -1, 0, 0.3 }, { 0, 0, -1 } };
+    const Vector3 across = Vector3(run, -1, 0).normalized();
+    const Vector3 up(0, 0, 1);
+    const Vector3 directions[3] = { up, 0.6 * across - 0.5 * up, -0.6 * across - 0.5 * up };
     this->mesh.V.resize(Length * (1 + 3 * Width), 3);
     std::vector<Eigen::Matrix<Index, 1, 3>> triangles;
     for (int i = 0; i < Length; ++i)

@@ -55,7 +55,10 @@ double EquivarianceError(const Model& model, const OptimizerOptions& options, co
 {
   Model image = model;
   image.mesh.V = map.Map(model.mesh.V);
-  image.arrays.prescribedLaplacians = map.MapVectors(*model.arrays.prescribedLaplacians);
+  // Mean curvature normals have the unit 1 / length, other Laplacians that of the mesh.
+  const bool isCurvature = options.laplacianType == LaplacianType::MEAN_CURVATURE;
+  image.arrays.prescribedLaplacians =
+    map.MapVectors(*model.arrays.prescribedLaplacians) / (isCurvature ? map.scale * map.scale : 1);
   return MaximumDistance(Run(image.mesh, options, image.arrays).positions,
            map.Map(Run(model.mesh, options, model.arrays).positions)) /
          map.scale;

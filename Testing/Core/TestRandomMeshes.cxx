@@ -127,7 +127,10 @@ Points RunImage(const Sample& sample)
   Sample image = sample;
   image.mesh.V = (scale * sample.mesh.V * R.transpose()).rowwise() + shift;
   image.mesh.T = sample.mesh.T.colwise().reverse();
-  image.arrays.prescribedLaplacians = scale * *sample.arrays.prescribedLaplacians * R.transpose();
+  // Mean curvature normals have the unit 1 / length, other Laplacians that of the mesh.
+  const bool isCurvature = sample.options.laplacianType == LaplacianType::MEAN_CURVATURE;
+  image.arrays.prescribedLaplacians =
+    (isCurvature ? 1 / scale : scale) * *sample.arrays.prescribedLaplacians * R.transpose();
   const Points moved = Run(image.mesh, image.options, image.arrays).positions;
   return (moved.rowwise() - shift) * R / scale;
 }

@@ -127,7 +127,7 @@ vtkSmartPointer<vtkPolyData> WithAllKinds()
     text->InsertNextValue(V(i, 0) < 8 ? "left" : "right");
     ids->InsertNextValue(100 + i);
     original->InsertNextValue(200 + i);
-    colour->InsertNextTuple3(10 * V(i, 0), 10 * V(i, 1), 7);
+    colour->InsertNextTuple3(std::round(10 * V(i, 0)), std::round(10 * V(i, 1)), 7);
   }
   vtkPointData* data = input->GetPointData();
   data->AddArray(label);

@@ -8,9 +8,7 @@ namespace lmo
 {
 Vector3 PolylineRow::Missing(const Points& d) const
 {
-  return d.rows() == 0 ? this->target
-                       : this->target - (0.5 * (d.row(this->previous) + d.row(this->next)) -
-                                          d.row(this->vertex));
+  return d.rows() == 0 ? this->target : Vector3(this->target - this->Apply(d));
 }
 
 PolylineTerm::PolylineTerm(std::vector<PolylineRow> polylineRows, Index vertices)
@@ -49,12 +47,12 @@ void PolylineTerm::AddEntries(MatrixEntries& entries) const
   for (const PolylineRow& row : this->rows)
   {
     const Index ids[3] = { row.previous, row.vertex, row.next };
-    const double values[3] = { 0.5 * row.weight, -row.weight, 0.5 * row.weight };
     for (int a = 0; a < 3; ++a)
     {
       for (int b = 0; b < 3; ++b)
       {
-        entries.isotropic.emplace_back(ids[a], ids[b], values[a] * values[b]);
+        entries.isotropic.emplace_back(
+          ids[a], ids[b], row.weight * row.Coefficient(a) * (row.weight * row.Coefficient(b)));
       }
     }
   }
@@ -66,9 +64,9 @@ void PolylineTerm::Product<Scalar>::Prepare(const PackedPoints<Scalar>& x)
   for (std::size_t k = 0; k < this->Term.rows.size(); ++k)
   {
     const PolylineRow& row = this->Term.rows[k];
-    this->Forces.col(k) =
-      Scalar(row.weight * row.weight) *
-      (Scalar(0.5) * (x.col(row.previous) + x.col(row.next)) - x.col(row.vertex));
+    this->Forces.col(k) = Scalar(row.weight * row.weight) *
+                          (Scalar(row.share) * x.col(row.previous) +
+                            Scalar(1 - row.share) * x.col(row.next) - x.col(row.vertex));
   }
 }
 

@@ -11,7 +11,7 @@
 namespace lmo
 {
 /// A row of the Laplacian of a polyline: weight (l(d) - target) with
-/// l(d) = (d_previous + d_next) / 2 - d_vertex.
+/// l(d) = share d_previous + (1 - share) d_next - d_vertex.
 struct PolylineRow
 {
   Index vertex;
@@ -19,6 +19,20 @@ struct PolylineRow
   Index next;
   double weight;
   Vector3 target;
+  double share = 0.5;
+
+  /// The derivative of l by the vertex at place 0 (previous), 1 (vertex) or 2 (next).
+  double Coefficient(Index place) const
+  {
+    return place == 1 ? -1 : place == 0 ? this->share : 1 - this->share;
+  }
+
+  /// l(d)
+  Vector3 Apply(const Points& d) const
+  {
+    return this->share * d.row(this->previous) + (1 - this->share) * d.row(this->next) -
+           d.row(this->vertex);
+  }
 
   /// target - l(d); d without rows stands for 0.
   Vector3 Missing(const Points& d) const;
@@ -69,7 +83,7 @@ struct PolylineTerm
     if (!this->rows.empty())
     {
       std::for_each(this->rowsAt.Begin(i), this->rowsAt.End(i),
-        [&](Index place) { visit(place / 3, place % 3 == 1 ? -1 : 0.5); });
+        [&](Index place) { visit(place / 3, this->rows[place / 3].Coefficient(place % 3)); });
     }
   }
 

@@ -56,9 +56,13 @@ LeastSquaresProblem SetUpCurves(const Points& V, const RunPlan& plan, const Mask
     {
       if (isCurve[i])
       {
-        const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
+        const double before = (V.row(i) - V.row(previous)).norm();
+        const double after = (V.row(next) - V.row(i)).norm();
+        PolylineRow row{ i, previous, next, surface.laplacian.weights[i], Vector3::Zero(),
+          before + after > 0 ? after / (before + after) : 0.5 };
+        row.target = -row.Apply(V);
+        rows.push_back(row);
         problem.motion.freedom[i] = DisplacementConstraints::FREE;
-        rows.push_back({ i, previous, next, surface.laplacian.weights[i], -laplacian });
       }
     });
   problem.polylines = PolylineTerm(std::move(rows), surface.Size());

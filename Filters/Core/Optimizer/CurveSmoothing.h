@@ -19,11 +19,12 @@ Mask VerticesOnCurves(
 void SmoothStairs(const Points& V, const Mask& isOnCurve, FeatureLines& lines);
 
 /// Smooths the lines of VerticesOnCurves() as curves of their own: minimises
-///   sum_i |w_i (l(d)_i + l(V)_i)|^2 + |W_p d|^2, l(v)_i = (v_previous + v_next) / 2 - v_i,
-/// over the vertices inside these lines, in all directions. Their ends, junctions and sharp turns
-/// stay. The surface is then solved with these vertices fixed at their new places, RunPlan::start:
-/// it does not draw a line out of its plane.
-/// \throw SolverError, Cancelled as Solve() does.
+///   sum_i |w_i (l(d)_i + l(V)_i)|^2 + |W_p d|^2, l(v)_i = a v_previous + (1 - a) v_next - v_i,
+/// over the vertices inside these lines, in all directions, where a is the share of the next edge
+/// in the length of both, so that uneven edges do not bend a line. Their ends, junctions and sharp
+/// turns stay. The surface is then solved with these vertices fixed at their new places,
+/// RunPlan::start: it does not draw a line out of its plane. \throw SolverError, Cancelled as
+/// Solve() does.
 void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor);
 }
 
