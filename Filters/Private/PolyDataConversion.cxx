@@ -81,8 +81,8 @@ constexpr double LargestCoordinate = 1e70;
 
 Faults FindHuge(const Points& points)
 {
-  return FindFaults(
-    points, [](const auto& row) { return row.cwiseAbs().maxCoeff() <= LargestCoordinate; });
+  return FindFaults(points, [](const auto& row)
+    { return row.allFinite() && row.cwiseAbs().maxCoeff() <= LargestCoordinate; });
 }
 
 /// \throw InputError if the points are apart, but so little that areas underflow.

@@ -90,7 +90,8 @@ struct Junction
   static constexpr int Length = 48;
   static constexpr int Width = 6;
   TestMesh mesh;
-  std::vector<Index> line; ///< its vertices in order
+  std::vector<Index> line;   ///< its vertices in order
+  std::vector<double> sheet; ///< of each triangle
 
   explicit Junction(int run)
   {
@@ -111,20 +112,21 @@ struct Junction
       this->line.push_back(i);
       this->mesh.V.row(i) = points[i];
     }
-    for (int sheet = 0; sheet < 3; ++sheet)
+    for (int k = 0; k < 3; ++k)
     {
       const auto id = [&](int i, int ring)
-      { return static_cast<Index>(ring == 0 ? i : Length * (1 + sheet * Width + ring - 1) + i); };
+      { return static_cast<Index>(ring == 0 ? i : Length * (1 + k * Width + ring - 1) + i); };
       for (int i = 0; i < Length; ++i)
       {
         for (int ring = 1; ring <= Width; ++ring)
         {
-          this->mesh.V.row(id(i, ring)) = points[i] + ring * directions[sheet];
+          this->mesh.V.row(id(i, ring)) = points[i] + ring * directions[k];
         }
         for (int ring = 0; ring < Width && i + 1 < Length; ++ring)
         {
           triangles.push_back({ id(i, ring), id(i + 1, ring), id(i + 1, ring + 1) });
           triangles.push_back({ id(i, ring), id(i + 1, ring + 1), id(i, ring + 1) });
+          this->sheet.insert(this->sheet.end(), 2, k);
         }
       }
     }
@@ -154,7 +156,10 @@ struct Junction
     OptimizerOptions options = Smoothing();
     options.featureConstraints = true;
     options.featureSmoothing = featureSmoothing;
-    return Optimized(this->mesh, options);
+    VertexArrays arrays;
+    arrays.regions =
+      Eigen::Map<const Vector>(this->sheet.data(), static_cast<Eigen::Index>(this->sheet.size()));
+    return Optimized(this->mesh, options, arrays);
   }
 
   /// The largest displacement of the line's ends.

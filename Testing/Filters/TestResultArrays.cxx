@@ -117,9 +117,12 @@ void CheckOtherFilters(Checks& c)
   optimizer->SetInputConnection(laplacian->GetOutputPort());
   c.Equal(
     "results of the other filters are replaced without a word", Update(optimizer).warnings, "");
-  c.True("and under their names",
-    CellValues(optimizer->GetOutput(), "RadiusRatio").mean() == optimizer->GetMeanRadiusRatio() &&
-      !optimizer->GetOutput()->GetPointData()->HasArray("MeanCurvatureOptimized"));
+  c.Error("radius ratios have their name",
+    std::abs(
+      CellValues(optimizer->GetOutput(), "RadiusRatio").mean() - optimizer->GetMeanRadiusRatio()),
+    1e-14);
+  c.True("no curvature has another name",
+    !optimizer->GetOutput()->GetPointData()->HasArray("MeanCurvatureOptimized"));
 
   const auto input = Sphere();
   AddSevens(input->GetPointData(), "MeanCurvature", 42);

@@ -3,12 +3,14 @@
 #include "Core/Optimizer/CurveSmoothing.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace lmo
 {
 namespace
 {
+constexpr double ShortestEdge = 0.05; ///< relative to the mean; shorter ones count as that long
 constexpr int StairEdges = 3; ///< on both sides of a vertex, over which a line's turn is seen
 
 /// The vertex \a edges further from vertex i over its neighbour j, or where the line ends before.
@@ -39,10 +41,46 @@ Mask MovingVertices(const MeshTopology& topology, const RunPlan& plan)
   return moves;
 }
 
-/// The problem of the curves alone.
-LeastSquaresProblem SetUpCurves(const Points& V, const RunPlan& plan, const Mask& isCurve)
+/// The lengths of the two edges at each vertex inside a line.
+struct LineEdge
 {
+  double before;
+  double after;
+
+  LineEdge(const Points& V, Index i, Index previous, Index next)
+    : before((V.row(i) - V.row(previous)).norm())
+    , after((V.row(next) - V.row(i)).norm())
+  {
+  }
+
+  double Mean() const { return (this->before + this->after) / 2; }
+};
+
+/// Mean length of the edges of curves.
+double MeanLength(const MeshQuantities& mesh, const FeatureLines& lines, const Mask& isCurve)
+{
+  const Subdomain& subdomain = mesh.GetSubdomain();
+  double sum = 0;
+  double count = 0;
+  ForEachLineVertex(lines,
+    [&](Index i, Index previous, Index next)
+    {
+      if (isCurve[i] && subdomain.OwnsVertex(i))
+      {
+        sum += LineEdge(mesh.GetPoints(), i, previous, next).Mean();
+        ++count;
+      }
+    });
+  return subdomain.Sum(sum) / std::max(1.0, subdomain.Sum(count));
+}
+
+/// The problem of the curves alone.
+LeastSquaresProblem SetUpCurves(
+  const MeshQuantities& mesh, const RunPlan& plan, const Mask& isCurve)
+{
+  const Points& V = mesh.GetPoints();
   const LeastSquaresProblem& surface = plan.problem;
+  const double length = MeanLength(mesh, *plan.lines, isCurve);
   LeastSquaresProblem problem;
   problem.laplacian.L = surface.laplacian.L;
   problem.laplacian.weights = Vector::Zero(surface.Size());
@@ -56,12 +94,16 @@ LeastSquaresProblem SetUpCurves(const Points& V, const RunPlan& plan, const Mask
     {
       if (isCurve[i])
       {
-        const double before = (V.row(i) - V.row(previous)).norm();
-        const double after = (V.row(next) - V.row(i)).norm();
-        PolylineRow row{ i, previous, next, surface.laplacian.weights[i], Vector3::Zero(),
-          before + after > 0 ? after / (before + after) : 0.5 };
+        const LineEdge edge(V, i, previous, next);
+        const double least = ShortestEdge * length;
+        const double before = std::max(edge.before, least) / length;
+        const double after = std::max(edge.after, least) / length;
+        const double share = std::sqrt((before + after) / 2); // of the line's length
+        PolylineRow row{ i, previous, next, share * surface.laplacian.weights[i] / (before * after),
+          Vector3::Zero(), after / (before + after) };
         row.target = -row.Apply(V);
         rows.push_back(row);
+        problem.position.weights[i] *= share;
         problem.motion.freedom[i] = DisplacementConstraints::FREE;
       }
     });
@@ -133,8 +175,8 @@ void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& mo
   }
   monitor.Begin("Smoothing lines");
   const Points displacement = plan
-                                .solve(SetUpCurves(mesh.GetPoints(), plan, isCurve),
-                                  plan.options.solverType, plan.options.solver, monitor)
+                                .solve(SetUpCurves(mesh, plan, isCurve), plan.options.solverType,
+                                  plan.options.solver, monitor)
                                 .displacement;
   plan.start = mesh.GetPoints() + displacement;
   FixCurves(displacement, isCurve, plan);

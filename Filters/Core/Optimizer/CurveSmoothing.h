@@ -19,12 +19,14 @@ Mask VerticesOnCurves(
 void SmoothStairs(const Points& V, const Mask& isOnCurve, FeatureLines& lines);
 
 /// Smooths the lines of VerticesOnCurves() as curves of their own: minimises
-///   sum_i |w_i (l(d)_i + l(V)_i)|^2 + |W_p d|^2, l(v)_i = a v_previous + (1 - a) v_next - v_i,
-/// over the vertices inside these lines, in all directions, where a is the share of the next edge
-/// in the length of both, so that uneven edges do not bend a line. Their ends, junctions and sharp
-/// turns stay. The surface is then solved with these vertices fixed at their new places,
-/// RunPlan::start: it does not draw a line out of its plane. \throw SolverError, Cancelled as
-/// Solve() does.
+///   sum_i h_i (|w_i (l(d)_i + l(V)_i)|^2 + |W_p d_i|^2),
+///   l(v)_i = (a v_previous + (1 - a) v_next - v_i) / (h_before h_after),
+/// over the vertices inside these lines, in all directions. Here h_before and h_after are the
+/// lengths of the edges at vertex i, h_i is their mean, all relative to the mean over all curves,
+/// and a = h_after / (h_before + h_after): l is the curvature, and uneven edges do not bend a line.
+/// Ends, junctions and sharp turns stay. The surface is then solved with these vertices fixed at
+/// their new places, RunPlan::start: it does not draw a line out of its plane.
+/// \throw SolverError, Cancelled as Solve() does.
 void SmoothCurves(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor);
 }
 
