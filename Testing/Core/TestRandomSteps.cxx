@@ -99,6 +99,9 @@ void CheckDeviation(const Sample& sample, const OptimizerResult& result, Finding
   findings.AddIf(!IsWithin(before, after, distance), "the input is farther than the bound");
   findings.AddIf(result.comparison.after.minimum < result.comparison.before->minimum,
     "the worst triangle is worse");
+  findings.AddIf(result.comparison.flippedTriangles > 0, "a triangle turns over");
+  findings.AddIf(
+    bound > result.comparison.relativeMaximumDisplacement, "the bound is above the displacement");
 }
 
 std::string FaultsOf(unsigned seed)
