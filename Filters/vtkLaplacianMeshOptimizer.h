@@ -371,8 +371,8 @@ public:
 
   ///@{
   /**
-   * Find features where no FEATURE_ARRAY is chosen: lines of at least 10 edges at which the surface
-   * turns by more than FeatureAngle. Default: on.
+   * Find features where no FEATURE_ARRAY is chosen: lines at which the surface turns by more than
+   * FeatureAngle; if they end inside the surface, of at least 10 edges. Default: on.
    */
   vtkSetMacro(DetectFeatures, vtkTypeBool);
   vtkGetMacro(DetectFeatures, vtkTypeBool);

@@ -7,10 +7,15 @@
 
 namespace lmo
 {
-/// The edges whose triangles' normals differ by more than an angle, as lists of neighbours along
-/// them. Nearly degenerate triangles (t < 0.1), whose normals say little, have none, and groups of
-/// fewer than 10 connected edges are dropped: both would pin bad triangles. Edges of three and more
-/// triangles and of triangles whose orientations differ are features always.
+/// The edges at which the surface turns by more than an angle (SurfaceNormals), as lists of
+/// neighbours along them. Edges of three and more triangles and of triangles whose orientations
+/// differ are features always. Of connected edges, those are dropped that are noise:
+/// - a line that ends inside the surface and has fewer than 10 edges beside which no triangle is
+///   thin; closed lines and lines between corners or boundaries may be shorter;
+/// - where more than one vertex in five is a corner, those beside which the surface is neither flat
+///   nor made of planes;
+/// - corners of triangles that are features of their own making: all three edges are sharp, and no
+///   other edge pins the corner.
 /// \param angle in degrees, 0 to 180
 /// \param quality t of each triangle
 AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
