@@ -60,6 +60,7 @@ private:
     }
     const double unit = data->GetNumberOfPoints() > 0 && errors.empty() ? data->GetLength() : 0;
     AddPointArray(data, "Vectors", 0.02 * unit * numbers);
+    AddPointArray(data, "CurvatureVectors", (unit > 0 ? 0.02 / unit : 0) * numbers);
     this->Inputs.push_back({ name, std::move(data), std::move(errors), isLarge });
   }
 };

@@ -172,8 +172,8 @@ double SharpNormalError()
   vtkNew<Optimizer> filter;
   filter->SetInputData(input);
   filter->SetMode(Optimizer::PRESCRIBED_LAPLACIANS);
-  AddPointArray(input, "None", Points::Zero(soup.V.rows(), 3));
-  filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0, 0, "None");
+  AddPointArray(input, "Zero", Points::Zero(soup.V.rows(), 3));
+  filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0, 0, "Zero");
   filter->SetFeatureConstraints(true);
   filter->Update();
   return LargestMagnitude(PointValues(filter->GetOutput(), "Normals") - normals);

@@ -97,7 +97,14 @@ void ChooseArrays(Optimizer* filter)
   { filter->SetInputArrayToProcess(index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name); };
   choose(Optimizer::POSITION_WEIGHT_ARRAY, "Weights");
   choose(Optimizer::LAPLACIAN_WEIGHT_ARRAY, "Weights");
-  choose(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, "Vectors");
+}
+
+/// Prescribed Laplacians have the mesh's unit, mean curvature normals its inverse.
+void ChooseLaplacians(Optimizer* filter)
+{
+  const bool isCurvature = filter->GetLaplacianType() == Optimizer::MEAN_CURVATURE;
+  filter->SetInputArrayToProcess(Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 0, 0,
+    vtkDataObject::FIELD_ASSOCIATION_POINTS, isCurvature ? "CurvatureVectors" : "Vectors");
 }
 
 /// True if the direct solver refuses weights or vertices that it is not made for.
@@ -116,6 +123,7 @@ bool IsVolumeRefusal(const Choice& choice, const std::string& errors)
 std::string FaultOfChoice(Optimizer* filter, const Choice& choice)
 {
   choice.Set(filter);
+  ChooseLaplacians(filter);
   Messages messages = Update(filter);
   if (IsDirectRefusal(choice, messages.errors))
   {
