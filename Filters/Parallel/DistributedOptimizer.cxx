@@ -60,6 +60,9 @@ void CheckOptions(const OptimizerOptions& options)
       "Choose OPTIMIZE_TRIANGLES" },
     { options.mode == Mode::SMOOTH_GUIDED, "Mode SMOOTH_GUIDED", "Choose SMOOTH" },
     { options.robustLaplacian, "RobustLaplacian", "Switch it off" },
+    { options.boundaryCondition == BoundaryCondition::CURVE, "BoundaryCondition CURVE",
+      "Choose SLIDING" },
+    { options.featureSmoothing, "FeatureSmoothing", "Switch it off" },
     { options.featureConstraints, "FeatureConstraints", "Switch them off" },
     { options.preserveVolume, "PreserveVolume", "Switch it off" },
   };
