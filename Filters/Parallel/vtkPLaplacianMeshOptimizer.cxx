@@ -181,7 +181,7 @@ private:
   {
     const lmo::Communicator comm = this->GetCommunicator();
     lmo::SurfaceMesh mesh;
-    comm.Try([&] { mesh = lmo::ReadMesh(input); });
+    comm.Try([&] { mesh = this->Read(input); });
     lmo::Piece piece;
     piece.triangles = TrianglesThatCount(input, mesh);
     piece.points = std::move(mesh.points);

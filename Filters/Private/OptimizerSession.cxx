@@ -3,7 +3,6 @@
 #include "OptimizerSession.h"
 
 #include "FilterSupport.h"
-#include "PolyDataConversion.h"
 
 #include "vtkPolyData.h"
 
@@ -39,6 +38,11 @@ std::unique_ptr<lmo::ProgressMonitor> vtkLaplacianMeshOptimizer::Session::MakeMo
   return std::make_unique<lmo::FilterMonitor>(this->Filter);
 }
 
+lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::Read(vtkPolyData* input)
+{
+  return lmo::ReadMesh(input);
+}
+
 bool vtkLaplacianMeshOptimizer::Session::IsNew(vtkPolyData* input) const
 {
   return !this->Optimizer || this->Input != input || this->InputTime != input->GetMTime() ||
@@ -60,7 +64,7 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
   if (this->IsNew(input))
   {
     this->Optimizer.reset(); // its memory serves for the next one
-    lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
+    lmo::SurfaceMesh mesh = Read(input);
     if (this->Filter->WeldCoincidentPoints)
     {
       lmo::WeldCoincidentPoints(mesh);

@@ -4,7 +4,7 @@
 #define OptimizerSession_h
 
 #include "Core/Optimizer/Optimizer.h"
-#include "MeshNumbering.h"
+#include "PolyDataConversion.h"
 #include "ResultArrays.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
@@ -50,6 +50,9 @@ protected:
   /// Makes the optimizer of the input, unless it is the one that is there.
   /// \throw InputError as lmo::ReadMesh() does.
   virtual void SetInput(vtkPolyData* input);
+
+  /// lmo::ReadMesh(), which this module does not export.
+  static lmo::SurfaceMesh Read(vtkPolyData* input);
 
   /// True if Optimizer is not that of the input as it is now.
   bool IsNew(vtkPolyData* input) const;
