@@ -479,7 +479,8 @@ public:
    * corners; the point normals are interpolated too, with unit length, instead of computed anew.
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
-   * points, and fields are displaced with them. Default: on.
+   * points, and fields are displaced with them; so it is over several processes in either case.
+   * Default: on.
    */
   vtkSetMacro(InterpolatePointData, vtkTypeBool);
   vtkGetMacro(InterpolatePointData, vtkTypeBool);

@@ -148,6 +148,13 @@ protected:
     return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
   }
 
+  /// New places may lie on the pieces of other processes.
+  bool InterpolatesPointData() const override
+  {
+    return !(this->IsDistributed() && this->GetCommunicator().Size() > 1) &&
+           this->Session::InterpolatesPointData();
+  }
+
   void SetInput(vtkPolyData* input) override
   {
     if (this->WasDistributed != this->IsDistributed())

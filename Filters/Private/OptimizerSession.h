@@ -47,6 +47,9 @@ protected:
 
   virtual std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const;
 
+  /// True if points take the point data of their new places on the input.
+  virtual bool InterpolatesPointData() const;
+
   /// Makes the optimizer of the input, unless it is the one that is there.
   /// \throw InputError as lmo::ReadMesh() does.
   virtual void SetInput(vtkPolyData* input);
@@ -82,9 +85,6 @@ private:
 
   /// Cell normals of the new surface where the input has them.
   void WriteCellNormals(vtkPolyData* output) const;
-
-  /// True if points take the point data of their new places on the input.
-  bool InterpolatesPointData() const;
 
   /// Sets the input's point data as they are at the new positions.
   void WritePointData(
