@@ -210,6 +210,7 @@ vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& set
   vtkNew<vtkDummyController> alone;
   vtkNew<vtkPLaplacianMeshOptimizer> filter;
   filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
+  filter->InterpolatePointDataOff(); // as it is over several processes
   filter->SetController(alone);
   filter->SetInputData(whole);
   setUp(filter);
