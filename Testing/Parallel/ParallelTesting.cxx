@@ -210,7 +210,7 @@ vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& set
   vtkNew<vtkDummyController> alone;
   vtkNew<vtkPLaplacianMeshOptimizer> filter;
   filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
-  filter->InterpolatePointDataOff(); // as it is over several processes
+  filter->InterpolatePointDataOff();
   filter->SetController(alone);
   filter->SetInputData(whole);
   setUp(filter);

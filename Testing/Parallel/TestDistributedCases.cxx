@@ -163,6 +163,7 @@ double DifferenceOf(MpiJob& job, vtkPolyData* whole, const Cut& cut, const SetUp
   const auto precise = [&](Optimizer* filter)
   {
     filter->SetTolerance(1e-12);
+    filter->InterpolatePointDataOff(); // which works in one process only
     setUp(filter);
   };
   const PieceOfMesh piece = TakePiece(whole, cut, job.Rank(), job.Size());
