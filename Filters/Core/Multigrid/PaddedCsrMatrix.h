@@ -36,10 +36,7 @@ public:
 
   /// Calls body(rows), where rows(i) is row i of A x and cheap to copy.
   template <typename Body>
-  void WithRows(const PackedPoints<float>& x, const Body& body) const
-  {
-    body(Times(*this, x));
-  }
+  void WithRows(const PackedPoints<float>& x, const Body& body) const;
 
 private:
   class Times;
@@ -86,6 +83,12 @@ private:
 
 /// product = A x
 void Assign(const PaddedCsrMatrix& A, const PackedPoints<float>& x, PackedPoints<float>& product);
+
+template <typename Body>
+void PaddedCsrMatrix::WithRows(const PackedPoints<float>& x, const Body& body) const
+{
+  body(Times(*this, x));
+}
 }
 
 #endif

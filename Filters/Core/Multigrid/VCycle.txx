@@ -137,7 +137,7 @@ void VCycle<Matrix>::SolveCoarsest(const PackedPoints<float>& b, PackedPoints<fl
     return;
   }
   const Eigen::MatrixXd exactB = b.matrix().transpose().cast<double>();
-  x = this->Coarsest.solve(exactB).transpose().cast<float>().array();
+  x = this->Coarsest.solve(exactB).transpose().template cast<float>().array();
 }
 }
 

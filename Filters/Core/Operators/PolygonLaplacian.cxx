@@ -56,7 +56,8 @@ Cells::Cells(Index vertices, const Triangles& triangles, const Polygons& polygon
     }
     for (Index t = first; t < polygons.FirstTriangle(p + 1); ++t)
     {
-      this->Add(triangles.data() + 3 * t, triangles.data() + 3 * t + 3, t);
+      const Index* corners = triangles.row(t).data();
+      this->Add(corners, corners + 3, t);
     }
   }
   this->FindCellsAtVertices(vertices);
@@ -131,9 +132,10 @@ struct CellMatrices
   /// Between two places in a cell of a size.
   double Weight(Index cell, Index size, Index a, Index b) const
   {
+    const auto corners = static_cast<std::size_t>(size);
     const std::size_t low = std::min(a, b);
     const std::size_t high = std::max(a, b);
-    return this->weights[this->offsets[cell] + low * (2 * size - low - 1) / 2 + high - low - 1];
+    return this->weights[this->offsets[cell] + low * (2 * corners - low - 1) / 2 + high - low - 1];
   }
 };
 
