@@ -41,7 +41,7 @@ const Values& Require(
 Vector LinearScheme(const CotangentQuantities& quantities, const OptimizerOptions& options)
 {
   const MeshQuantities& mesh = quantities.GetMesh();
-  const Vector linear = LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics());
+  Vector linear = LinearWeights(quantities.GetMeanCurvatures(), quantities.GetStatistics());
   if (options.positionWeighting != PositionWeighting::LINEAR ||
       options.laplacianWeighting != LaplacianWeighting::LINEAR_COMPLEMENT)
   {
