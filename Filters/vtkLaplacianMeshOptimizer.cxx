@@ -106,7 +106,7 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
   { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())
   {
-    output->SetPoints(lmo::MakePoints(std::move(result.positions), numbering, input->GetPoints()));
+    output->SetPoints(lmo::MakePoints(result.positions, numbering, input->GetPoints()));
   }
   add("MeanCurvature", result.meanCurvatures);
   add("PositionWeight", result.positionWeights);

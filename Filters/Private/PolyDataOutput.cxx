@@ -57,7 +57,7 @@ vtkSmartPointer<vtkDoubleArray> MoveRows(
 }
 
 vtkSmartPointer<vtkPoints> MakePoints(
-  Points positions, const MeshNumbering& numbering, vtkPoints* input)
+  const Points& positions, const MeshNumbering& numbering, vtkPoints* input)
 {
   auto result = vtkSmartPointer<vtkPoints>::New();
   result->SetDataType(input->GetDataType() == VTK_FLOAT ? VTK_FLOAT : VTK_DOUBLE);

@@ -20,7 +20,7 @@ namespace lmo
 /// float, double for all others. Like the arrays below, values that are not needed any more are to
 /// be moved here, which frees their memory.
 vtkSmartPointer<vtkPoints> MakePoints(
-  Points positions, const MeshNumbering& numbering, vtkPoints* input);
+  const Points& positions, const MeshNumbering& numbering, vtkPoints* input);
 
 /// Point arrays from values at the vertices.
 vtkSmartPointer<vtkDoubleArray> MakeArray(
