@@ -107,6 +107,7 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
   if (input->GetPoints())
   {
     output->SetPoints(lmo::MakePoints(result.positions, numbering, input->GetPoints()));
+    result.positions.resize(0, 3); // memory for the arrays
   }
   add("MeanCurvature", result.meanCurvatures);
   add("PositionWeight", result.positionWeights);
