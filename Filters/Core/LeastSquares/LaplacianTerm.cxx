@@ -123,19 +123,22 @@ LaplacianTerm::Product<Scalar>::Product(const LaplacianTerm& term)
 template <typename Scalar>
 void LaplacianTerm::Product<Scalar>::Prepare(const PackedPoints<Scalar>& x)
 {
+  const auto size = static_cast<Index>(x.cols());
   this->K->WithRows(x,
-    [&](const auto& Kx)
+    [&](const auto& rows)
     {
-      ParallelFor(static_cast<Index>(x.cols()),
-        [Kx, Q = this->Q.data(), rowValues = View(this->RowValues),
-          isCoupled = this->Projectors.cols() > 0,
-          projectors = this->Projectors.data()](Index i) mutable
-        {
-          const PackedRow<Scalar> row = Q[i] * Kx(i);
-          rowValues.col(i) =
-            isCoupled ? MultiplyPacked(projectors + 12 * std::ptrdiff_t(i), row) : row;
-        });
+      ParallelFor(size, [Kx = rows, Q = this->Q.data(), rowValues = View(this->RowValues)](
+                          Index i) mutable { rowValues.col(i) = Q[i] * Kx(i); });
     });
+  if (this->Projectors.cols() > 0)
+  {
+    ParallelFor(size,
+      [projectors = this->Projectors.data(), rowValues = View(this->RowValues)](Index i) mutable
+      {
+        const PackedRow<Scalar> row = rowValues.col(i);
+        rowValues.col(i) = MultiplyPacked(projectors + 12 * std::ptrdiff_t(i), row);
+      });
+  }
 }
 
 template class LaplacianTerm::Product<float>;

@@ -60,7 +60,8 @@ Eigen::Array<Scalar, 12, 1> PackMatrix(const Matrix3& matrix)
 
 /// The product of a row with a symmetric matrix that starts at \a matrix.
 template <typename Scalar>
-PackedRow<Scalar> MultiplyPacked(const Scalar* matrix, const PackedRow<Scalar>& x)
+EIGEN_ALWAYS_INLINE PackedRow<Scalar> MultiplyPacked(
+  const Scalar* matrix, const PackedRow<Scalar>& x)
 {
   using Row = Eigen::Map<const PackedRow<Scalar>, Eigen::Aligned16>;
   return x[0] * Row(matrix) + x[1] * Row(matrix + 4) + x[2] * Row(matrix + 8);

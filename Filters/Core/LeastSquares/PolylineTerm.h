@@ -109,15 +109,17 @@ struct PolylineTerm
     template <typename Body>
     void WithRows(const Body& body) const
     {
+      if (this->Term.rows.empty()) // loops without polylines do not test for them
+      {
+        body([](Index, const PackedRow<Scalar>&, PackedRow<Scalar>&) {});
+        return;
+      }
       body(
-        [term = this->Term.rows.empty() ? nullptr : &this->Term, forces = View(this->Forces)](
+        [term = &this->Term, forces = View(this->Forces)](
           Index i, const PackedRow<Scalar>&, PackedRow<Scalar>& sum)
         {
-          if (term)
-          {
-            term->ForEachRowAt(i,
-              [&](Index row, double coefficient) { sum += Scalar(coefficient) * forces.col(row); });
-          }
+          term->ForEachRowAt(i,
+            [&](Index row, double coefficient) { sum += Scalar(coefficient) * forces.col(row); });
         });
     }
 

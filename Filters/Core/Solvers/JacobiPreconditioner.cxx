@@ -16,12 +16,16 @@ namespace
 Matrix3 InverseWithin(const DisplacementConstraints& motion, Index i, const DiagonalBlock& block)
 {
   constexpr double smallestRatio = 1e-12; // keeps rounding from making B singular
+  const double a = std::max(block.isotropic, smallestRatio * block.coupled.trace());
+  if (motion.freedom[i] == DisplacementConstraints::FREE)
+  {
+    return Matrix3(a * Matrix3::Identity() + block.coupled).inverse();
+  }
   Matrix3 P;
   for (int c = 0; c < 3; ++c)
   {
     P.row(c) = motion.Project(i, Vector3::Unit(c));
   }
-  const double a = std::max(block.isotropic, smallestRatio * block.coupled.trace());
   const Matrix3 B = a * Matrix3::Identity() + P * block.coupled * P;
   return P * B.inverse() * P;
 }
