@@ -115,7 +115,7 @@ LaplacianTerm::Product<Scalar>::Product(const LaplacianTerm& term)
       this->Q[i] = static_cast<Scalar>(term.RowWeight(i));
       if (term.IsCoupled())
       {
-        this->Projectors.col(i) = PackMatrix<Scalar>(term.projectors[i]);
+        StoreMatrix(term.projectors[i], i, this->Projectors);
       }
     });
 }

@@ -69,7 +69,8 @@ Dots MultiplyCoupled(const DisplacementConstraints& motion, const PackedPoints<S
       const PackedRow<Scalar> xi = x.col(i);
       const PackedRow<Scalar> whole = SumRows(i, xi, rows...);
       const Vector3 row = motion.Project(i, ToVector(whole));
-      product.col(i) = Pack<Scalar>(row);
+      product.col(i) = whole;
+      product.col(i).template head<3>() = row.transpose().array().template cast<Scalar>();
       sum += row.dot(ToVector(xi));
     });
   return Dots(dot, dot, dot, 0);

@@ -16,22 +16,22 @@ using Dots = Eigen::Array4d;
 struct DotSum
 {
   Eigen::Array2d xy = Eigen::Array2d::Zero();
-  Eigen::Array2d zw = Eigen::Array2d::Zero();
+  double z = 0;
 
   template <typename Scalar>
   void Add(const PackedRow<Scalar>& products)
   {
     this->xy += products.template head<2>().template cast<double>();
-    this->zw += products.template tail<2>().template cast<double>();
+    this->z += double(products[2]);
   }
 
   void operator+=(const DotSum& other)
   {
     this->xy += other.xy;
-    this->zw += other.zw;
+    this->z += other.z;
   }
 
-  Dots Get() const { return Dots(this->xy[0], this->xy[1], this->zw[0], this->zw[1]); }
+  Dots Get() const { return Dots(this->xy[0], this->xy[1], this->z, 0); }
 };
 
 /// The matrix A of a problem's normal equations, stored for speed. In single precision it serves to

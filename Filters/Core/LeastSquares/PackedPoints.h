@@ -51,11 +51,13 @@ template <typename Scalar>
 using PackedMatrices = Eigen::Array<Scalar, 12, Eigen::Dynamic>;
 
 template <typename Scalar>
-Eigen::Array<Scalar, 12, 1> PackMatrix(const Matrix3& matrix)
+void StoreMatrix(const Matrix3& matrix, Index i, PackedMatrices<Scalar>& matrices)
 {
-  Eigen::Array<Scalar, 12, 1> rows;
-  rows << Pack<Scalar>(matrix.row(0)), Pack<Scalar>(matrix.row(1)), Pack<Scalar>(matrix.row(2));
-  return rows;
+  for (int row = 0; row < 3; ++row)
+  {
+    matrices.col(i).template segment<3>(4 * row) = matrix.col(row).array().template cast<Scalar>();
+    matrices(4 * row + 3, i) = 0;
+  }
 }
 
 /// The product of a row with a symmetric matrix that starts at \a matrix.

@@ -44,7 +44,7 @@ JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& pr
       const DiagonalBlock block = DiagonalAt(problem, i);
       if (isCoupled)
       {
-        this->InverseBlocks.col(i) = PackMatrix<Scalar>(InverseWithin(problem.motion, i, block));
+        StoreMatrix(InverseWithin(problem.motion, i, block), i, this->InverseBlocks);
       }
       else
       {
