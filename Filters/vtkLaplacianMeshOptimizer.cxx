@@ -85,14 +85,15 @@ void vtkLaplacianMeshOptimizer::Session::Warn(
         << result.relativeResidual << ", above the tolerance " << options.solver.tolerance
         << ". Raise MaximumNumberOfIterations or choose another SolverType.");
   }
-  const std::string freedom = lmo::WarnOfFreedom(result.freedom);
-  if (!freedom.empty())
+  std::vector<std::string> texts = lmo::WarnOfDamage(options, result.comparison, result.volumeLoss);
+  texts.push_back(lmo::WarnOfFreedom(result.freedom));
+  texts.push_back(lmo::WarnOfUnpreserved(result.unpreservedVolumes));
+  for (const std::string& text : texts)
   {
-    vtkWarningWithObjectMacro(this->Filter, << freedom);
-  }
-  for (const std::string& damage : lmo::WarnOfDamage(options, result.comparison, result.volumeLoss))
-  {
-    vtkWarningWithObjectMacro(this->Filter, << damage);
+    if (!text.empty())
+    {
+      vtkWarningWithObjectMacro(this->Filter, << text);
+    }
   }
 }
 

@@ -145,7 +145,7 @@ public:
     LAPLACIAN_WEIGHT_ARRAY = 1,     ///< 1 component, 0 to 1e40: LaplacianWeighting ARRAY
     PRESCRIBED_LAPLACIAN_ARRAY = 2, ///< 3 components, up to 1e70: PRESCRIBED_LAPLACIANS
     FIXED_POINT_ARRAY = 3, ///< 1 component, optional: points with a value other than 0 do not move
-    FEATURE_ARRAY = 4      ///< 1 component, optional: features by points or by cells
+    FEATURE_ARRAY = 4      ///< optional: 1 component at points, 1 or 2 at cells, which are labels
   };
 
   ///@{
@@ -362,7 +362,7 @@ public:
    * For OPTIMIZE_TRIANGLES and SMOOTH: corners of features stay, points on feature lines slide
    * along them. OPTIMIZE_WITHIN_DEVIATION does so always. Features come from FEATURE_ARRAY if it is
    * chosen: point data, edges whose ends both are not 0; or cell data, edges between cells with
-   * different values. Otherwise DetectFeatures finds them. Default: off.
+   * different labels. Otherwise DetectFeatures finds them. Default: off.
    */
   vtkSetMacro(FeatureConstraints, vtkTypeBool);
   vtkGetMacro(FeatureConstraints, vtkTypeBool);
@@ -419,7 +419,10 @@ public:
   ///@{
   /**
    * For SMOOTH and SMOOTH_GUIDED: give each closed component the volume that it had, by an offset
-   * along the normals of its points. Points that are fixed or slide are not offset. Default: off.
+   * along the normals of its points. Points that are fixed or slide are not offset. If
+   * FEATURE_ARRAY is cell data, each label keeps its volume: with one component, the cells of a
+   * label if they are closed; with two, the regions on both sides of each cell, as vtkSurfaceNets3D
+   * writes them. A warning counts the volumes that cannot be preserved. Default: off.
    */
   vtkSetMacro(PreserveVolume, vtkTypeBool);
   vtkGetMacro(PreserveVolume, vtkTypeBool);

@@ -26,7 +26,7 @@ std::optional<Values> FromPiece(
 VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
 {
   const auto& [positionWeights, laplacianWeights, prescribedLaplacians, fixedPoints, featurePoints,
-    regions] = arrays;
+    labels] = arrays;
   VertexArrays result;
   result.positionWeights = FromPiece(mesh, positionWeights, 1);
   result.laplacianWeights = FromPiece(mesh, laplacianWeights, 1);

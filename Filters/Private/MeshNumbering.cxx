@@ -72,14 +72,14 @@ Vector MeshNumbering::AnyOfPoints(const Vector& pointFlags) const
   return flags;
 }
 
-Vector MeshNumbering::ToTriangles(const Vector& cellValues) const
+TriangleLabels MeshNumbering::ToTriangles(const TriangleLabels& cellLabels) const
 {
-  Vector values(this->NumberOfTriangles);
+  TriangleLabels labels(this->NumberOfTriangles, cellLabels.cols());
   for (Index t = 0; t < this->NumberOfTriangles; ++t)
   {
-    values[t] = cellValues[this->CellOf(t)];
+    labels.row(t) = cellLabels.row(this->CellOf(t));
   }
-  return values;
+  return labels;
 }
 
 Vector MeshNumbering::LeastOfCells(const Vector& triangleValues, double none) const

@@ -73,8 +73,8 @@ public:
     return ToNewOrder(this->Vertices, std::move(vertexValues));
   }
 
-  /// Values of triangles from values of their cells.
-  Vector ToTriangles(const Vector& cellValues) const;
+  /// Rows of triangles from rows of their cells.
+  TriangleLabels ToTriangles(const TriangleLabels& cellLabels) const;
 
   /// The least value of the triangles of each cell, \a none for cells without triangles.
   Vector LeastOfCells(const Vector& triangleValues, double none) const;

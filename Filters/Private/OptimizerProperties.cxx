@@ -118,13 +118,20 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
   {
     arrays.fixedPoints = lmo::ReadFlags(array, numbering);
   }
-  const bool hasFeatures = filter.Mode == OPTIMIZE_WITHIN_DEVIATION || filter.FeatureConstraints;
-  if (hasFeatures && (array = this->FindArray(FEATURE_ARRAY, input)))
+  const bool usesFeatures = filter.Mode == OPTIMIZE_WITHIN_DEVIATION || filter.FeatureConstraints ||
+                            filter.FeatureSmoothing || filter.PreserveVolume;
+  if (usesFeatures && (array = this->FindArray(FEATURE_ARRAY, input)))
   {
     const bool isOfPoints = input->GetPointData()->HasArray(array->GetName()) &&
                             input->GetPointData()->GetArray(array->GetName()) == array;
-    isOfPoints ? arrays.featurePoints = lmo::ReadScalars(array, numbering)
-               : arrays.regions = lmo::ReadRegions(array, numbering);
+    if (isOfPoints)
+    {
+      arrays.featurePoints = lmo::ReadScalars(array, numbering);
+    }
+    else
+    {
+      arrays.labels = lmo::ReadLabels(array, numbering);
+    }
   }
   if (selection)
   {

@@ -212,9 +212,18 @@ Vector ReadFlags(vtkDataArray* array, const MeshNumbering& numbering)
   return numbering.AnyOfPoints(ReadArray<Vector>(array, numbering.GetNumberOfPoints()));
 }
 
-Vector ReadRegions(vtkDataArray* array, const MeshNumbering& numbering)
+TriangleLabels ReadLabels(vtkDataArray* array, const MeshNumbering& numbering)
 {
-  return numbering.ToTriangles(ReadArray<Vector>(array, numbering.GetNumberOfCells(), "cell"));
+  using Pairs = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;
+  const vtkIdType cells = numbering.GetNumberOfCells();
+  if (array->GetNumberOfComponents() != 2)
+  {
+    return numbering.ToTriangles(ReadArray<Vector>(array, cells, "cell"));
+  }
+  const Pairs pairs = ReadArray<Pairs>(array, cells, "cell");
+  TriangleLabels labels(cells, 2);
+  labels << pairs.rowwise().minCoeff(), pairs.rowwise().maxCoeff();
+  return numbering.ToTriangles(labels);
 }
 
 Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering)

@@ -46,9 +46,9 @@ Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering);
 /// \throw InputError if the array has not three finite values per point.
 Points ReadVectors(vtkDataArray* array, const MeshNumbering& numbering);
 
-/// The values of a cell array at the triangles.
-/// \throw InputError if the array has not one value per cell, or one that is not finite.
-Vector ReadRegions(vtkDataArray* array, const MeshNumbering& numbering);
+/// The labels of a cell array at the triangles, two in ascending order.
+/// \throw InputError if the array has not one or two values per cell, or one that is not finite.
+TriangleLabels ReadLabels(vtkDataArray* array, const MeshNumbering& numbering);
 }
 
 #endif

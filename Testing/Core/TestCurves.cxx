@@ -157,7 +157,7 @@ struct Junction
     options.featureConstraints = true;
     options.featureSmoothing = featureSmoothing;
     VertexArrays arrays;
-    arrays.regions =
+    arrays.labels =
       Eigen::Map<const Vector>(this->sheet.data(), static_cast<Eigen::Index>(this->sheet.size()));
     return Optimized(this->mesh, options, arrays);
   }

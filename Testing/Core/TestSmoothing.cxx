@@ -182,8 +182,8 @@ void CheckFeatureConstraints(Checks& c)
 
   VertexArrays byPoints;
   byPoints.featurePoints = Vector::Zero(cube.V.rows());
-  VertexArrays byRegions;
-  byRegions.regions = Vector::Zero(cube.T.rows());
+  VertexArrays byLabels;
+  byLabels.labels = TriangleLabels::Zero(cube.T.rows(), 1);
   for (Index i = 0; i < cube.V.rows(); ++i)
   {
     const int walls = ((cube.V.row(i).array() == 0) || (cube.V.row(i).array() == 1)).count();
@@ -192,10 +192,10 @@ void CheckFeatureConstraints(Checks& c)
   for (Index t = 0; t < cube.T.rows(); ++t)
   {
     const Vector3 normal = ScaledNormal(cube.V, cube.T, t).normalized();
-    (*byRegions.regions)[t] = std::round(normal.dot(Vector3(1, 2, 3)));
+    (*byLabels.labels)(t, 0) = std::round(normal.dot(Vector3(1, 2, 3)));
   }
   c.Error("with tagged points they stay", leaveEdges(Run(cube, options, byPoints)), 1e-12);
-  c.Error("between regions they stay", leaveEdges(Run(cube, options, byRegions)), 1e-12);
+  c.Error("between regions they stay", leaveEdges(Run(cube, options, byLabels)), 1e-12);
 }
 }
 

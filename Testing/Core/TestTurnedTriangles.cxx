@@ -90,7 +90,7 @@ void CheckBars(Checks& c)
       CountTurned(bar, free.positions) == 0 && free.comparison.flippedTriangles == 0);
 
     VertexArrays arrays;
-    arrays.regions = Eigen::Map<Eigen::VectorXi>(faces.data(), Index(faces.size())).cast<double>();
+    arrays.labels = Eigen::Map<Eigen::VectorXi>(faces.data(), Index(faces.size())).cast<double>();
     const OptimizerResult fixed = Optimize(bar.V, bar.T, options, arrays, monitor);
     c.Error("no point of an edge leaves it on " + name,
       (fixed.positions - bar.V).rightCols(2).cwiseAbs().maxCoeff(), 1e-9 * 10);

@@ -196,7 +196,6 @@ void CheckArray(Checks& c, const std::string& name, int index, int components, b
     { "'Missing'", "Choose" });
 }
 
-/// As surface nets give it: the labels on both sides of each cell.
 void CheckCellArray(Checks& c)
 {
   CheckRefusal(c, "a cell array with wrong components",
@@ -204,7 +203,7 @@ void CheckCellArray(Checks& c)
     {
       vtkNew<vtkDoubleArray> labels;
       labels->SetName("Labels");
-      labels->SetNumberOfComponents(2);
+      labels->SetNumberOfComponents(3);
       labels->SetNumberOfTuples(80);
       labels->Fill(0);
       input->GetCellData()->AddArray(labels);
@@ -212,7 +211,7 @@ void CheckCellArray(Checks& c)
       filter->SetInputArrayToProcess(
         Optimizer::FEATURE_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
     },
-    { "the cell array 'Labels'", "2 components", "80 tuples of 1" });
+    { "the cell array 'Labels'", "3 components", "80 tuples of 1" });
 }
 
 void CheckNoArray(Checks& c, const std::string& name, const std::function<void(Optimizer*)>& choose)

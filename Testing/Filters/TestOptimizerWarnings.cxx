@@ -3,6 +3,8 @@
 #include "Checks.h"
 #include "FilterTesting.h"
 
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
@@ -108,6 +110,31 @@ void CheckDamage(Checks& c)
     WarningsOf(SlenderBar(), Optimizer::OPTIMIZE_WITHIN_DEVIATION).empty());
 }
 
+void CheckVolumes(Checks& c)
+{
+  const auto preserve = [](Optimizer* filter)
+  {
+    filter->PreserveVolumeOn();
+    filter->SetScaleFactor(0.2);
+    filter->SetInputArrayToProcess(Optimizer::FEATURE_ARRAY, 0, 0, 1, "Labels");
+  };
+  // As surface nets give it: the labels on both sides of each cell, in any order.
+  const auto sphere = MakePolyData(Icosphere(2));
+  vtkNew<vtkDoubleArray> labels;
+  labels->SetName("Labels");
+  labels->SetNumberOfComponents(2);
+  for (vtkIdType cell = 0; cell < sphere->GetNumberOfCells(); ++cell)
+  {
+    labels->InsertNextTuple2(cell % 2, 1 - cell % 2);
+  }
+  sphere->GetCellData()->AddArray(labels);
+  c.Equal("a volume that is preserved gives no warning",
+    WarningsOf(sphere, Optimizer::SMOOTH, preserve), std::string());
+  labels->SetTuple2(7, 2, 3);
+  c.True("labels that enclose nothing give one", Has(WarningsOf(sphere, Optimizer::SMOOTH, preserve),
+                                                   "The volume of 4 components or labels is not"));
+}
+
 void CheckDefault(Checks& c)
 {
   vtkNew<Optimizer> filter;
@@ -131,6 +158,7 @@ int TestOptimizerWarnings(int, char*[])
           [](Optimizer* filter) { filter->WeldCoincidentPointsOff(); }),
       "240 on boundaries"));
   CheckDamage(c);
+  CheckVolumes(c);
   CheckDefault(c);
   return c.Result();
 }

@@ -257,8 +257,8 @@ AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
   return DropNoise(DropOwnCorners(sharp, V, triangles, topology), V, topology, angles, radians);
 }
 
-AdjacencyLists EdgesBetweenRegions(
-  const Vector& labels, const Triangles& triangles, const MeshTopology& topology)
+AdjacencyLists EdgesBetweenLabels(
+  const TriangleLabels& labels, const Triangles& triangles, const MeshTopology& topology)
 {
   return ChooseEdges(topology,
     [&](Index i, Index j)
@@ -266,7 +266,7 @@ AdjacencyLists EdgesBetweenRegions(
       const EdgeTriangles edge(triangles, topology, i, j);
       for (Index k = 1; k < edge.count; ++k)
       {
-        if (labels[edge.triangles[k]] != labels[edge.triangles[0]])
+        if (labels.row(edge.triangles[k]) != labels.row(edge.triangles[0]))
         {
           return true;
         }

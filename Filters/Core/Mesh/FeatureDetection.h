@@ -22,8 +22,8 @@ AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
   const MeshTopology& topology, const Vector& quality, double angle);
 
 /// The edges between triangles with different labels.
-AdjacencyLists EdgesBetweenRegions(
-  const Vector& labels, const Triangles& triangles, const MeshTopology& topology);
+AdjacencyLists EdgesBetweenLabels(
+  const TriangleLabels& labels, const Triangles& triangles, const MeshTopology& topology);
 
 /// The edges whose ends both have a tag that is not 0.
 AdjacencyLists EdgesBetweenTagged(const Vector& tags, const MeshTopology& topology);

@@ -63,7 +63,11 @@ SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
     location.triangle = closest.Get();
     for (int k = 0; k < 3; ++k)
     {
-      closest.VisitVertex(triangles(location.triangle, k));
+      const Index i = triangles(location.triangle, k);
+      if (cornersAt.Size(i) <= LargestStar) // the walk goes around others by the corners opposite
+      {
+        closest.VisitVertex(i);
+      }
     }
   }
   if (location.triangle >= 0)

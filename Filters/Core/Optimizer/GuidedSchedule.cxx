@@ -69,10 +69,7 @@ ModeResult SmoothGuided(const MeshQuantities& mesh, RunPlan& plan, ProgressMonit
     result.positions = StartOf(mesh, plan) + solution.displacement;
   }
   ProjectOntoLines(mesh, plan, result.positions);
-  if (plan.options.preserveVolume)
-  {
-    RestoreVolumes(mesh, plan, result.positions);
-  }
+  RestoreVolumes(mesh, plan, result);
   result.positionWeights = std::move(plan.problem.position.weights);
   result.laplacianWeights = std::move(plan.problem.laplacian.weights);
   return result;

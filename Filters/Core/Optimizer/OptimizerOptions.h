@@ -99,7 +99,7 @@ struct VertexArrays
   std::optional<Points> prescribedLaplacians; ///< f
   std::optional<Vector> fixedPoints;          ///< not 0: does not move
   std::optional<Vector> featurePoints;        ///< not 0: on a feature line or corner
-  std::optional<Vector> regions; ///< of each triangle; feature lines are between different ones
+  std::optional<TriangleLabels> labels;       ///< feature lines are between different ones
 };
 }
 

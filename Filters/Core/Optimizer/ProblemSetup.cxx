@@ -113,14 +113,14 @@ Laplacian ChooseLaplacian(const CotangentQuantities& quantities, LaplacianType t
   return L;
 }
 
-/// Between regions, between tagged vertices, or detected.
+/// Between labels, between tagged vertices, or detected.
 AdjacencyLists FeatureEdges(
   const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();
-  if (arrays.regions)
+  if (arrays.labels)
   {
-    return EdgesBetweenRegions(*arrays.regions, mesh.GetTriangles(), topology);
+    return EdgesBetweenLabels(*arrays.labels, mesh.GetTriangles(), topology);
   }
   if (arrays.featurePoints)
   {
@@ -190,6 +190,13 @@ LaplacianType UsedLaplacian(const OptimizerOptions& options)
 {
   const bool isChosen = options.mode == Mode::SMOOTH || options.mode == Mode::PRESCRIBED_LAPLACIANS;
   return isChosen ? options.laplacianType : LaplacianType::UNIFORM;
+}
+
+/// True if the options ask for volumes that stay.
+bool PreservesVolume(const OptimizerOptions& options)
+{
+  return options.preserveVolume &&
+         (options.mode == Mode::SMOOTH || options.mode == Mode::SMOOTH_GUIDED);
 }
 
 /// True if the options ask for features.
@@ -360,6 +367,11 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
   else
   {
     plan.problem = SetUpProblem(quantities, type, problemOptions, arrays, plan.lines);
+  }
+  if (PreservesVolume(options))
+  {
+    plan.regions = FindEnclosedRegions(
+      mesh.GetTriangles(), mesh.GetComponents(), arrays.labels.value_or(TriangleLabels()));
   }
   plan.freedom = CountFreedom(mesh, plan.problem.motion, options, arrays);
   return plan;

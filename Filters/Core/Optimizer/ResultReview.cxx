@@ -175,8 +175,8 @@ std::string WarnOfFreedom(const VertexFreedom& freedom)
   const Reason reasons[] = {
     { freedom.onBoundary, " on boundaries, which are fixed",
       " If neighbouring triangles do not share their points, switch WeldCoincidentPoints on, or "
-      "merge "
-      "points that nearly coincide with vtkCleanPolyData (the filter Clean). Otherwise choose "
+      "merge points that nearly coincide with vtkCleanPolyData (the filter Clean). Otherwise "
+      "choose "
       "BoundaryCondition SLIDING or FREE." },
     { freedom.pinned, " fixed by the array of fixed points or by the selection",
       " Fix fewer points." },
@@ -195,6 +195,16 @@ std::string WarnOfFreedom(const VertexFreedom& freedom)
     }
   }
   return counts.empty() ? std::string() : "No point can move:" + counts + "." + remedies;
+}
+
+std::string WarnOfUnpreserved(Index volumes)
+{
+  return volumes == 0
+           ? std::string()
+           : "The volume of " + Counted(volumes, "component or label", "components or labels") +
+               " is not preserved: the triangles are not closed, differ in their orientation, or "
+               "enclose nothing. Fill holes with vtkFillHolesFilter, orient the triangles with "
+               "vtkPolyDataNormals (ConsistencyOn), or switch PreserveVolume off.";
 }
 
 std::vector<std::string> WarnOfDamage(

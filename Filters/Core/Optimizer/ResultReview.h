@@ -34,6 +34,9 @@ VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstra
 /// and the remedy. Empty if neither is so, and for a mesh without vertices.
 std::string WarnOfFreedom(const VertexFreedom& freedom);
 
+/// Says how many volumes could not be preserved, and the remedy. Empty if there are none.
+std::string WarnOfUnpreserved(Index volumes);
+
 /// Says what a solution did to the shape that its user will hardly want, with figures and the
 /// remedy, one text for each of these:
 /// - OPTIMIZE_TRIANGLES lowered the mean radius ratio;

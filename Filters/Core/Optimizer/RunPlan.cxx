@@ -40,9 +40,13 @@ void ProjectOntoLines(const MeshQuantities& mesh, const RunPlan& plan, Points& p
   }
 }
 
-void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, Points& positions)
+void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, ModeResult& result)
 {
-  RestoreVolumes(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), mesh.GetComponents(),
-    plan.problem.motion, positions);
+  result.unpreservedVolumes = plan.regions.open;
+  if (plan.regions.count > 0)
+  {
+    result.unpreservedVolumes += RestoreVolumes(mesh.GetPoints(), mesh.GetTriangles(),
+      mesh.GetTopology(), plan.regions, plan.problem.motion, result.positions);
+  }
 }
 }

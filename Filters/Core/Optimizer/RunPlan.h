@@ -6,6 +6,7 @@
 #include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Mesh/FeatureLines.h"
 #include "Core/Operators/CotangentWeights.h"
+#include "Core/Optimizer/EnclosedRegions.h"
 #include "Core/Optimizer/OptimizerOptions.h"
 #include "Core/Optimizer/ResultReview.h"
 
@@ -25,6 +26,7 @@ struct RunPlan
   Vector featureClass; ///< FeatureLines::Class of each vertex; no rows without features
   std::optional<FeatureLines> lines; ///< along which vertices slide
   Points start; ///< V with smoothed curves, which \a problem starts from; no rows if that is V
+  EnclosedRegions regions; ///< whose volumes are preserved; none if that is not wanted
   VertexFreedom freedom;
   LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
@@ -50,7 +52,8 @@ struct ModeResult
   double relativeResidual = 0;
   bool isConverged = true; ///< the residual is within the tolerance
   DeviationReport deviation;
-  bool isCancelled = false; ///< the monitor asked to stop, and this is what there was by then
+  Index unpreservedVolumes = 0; ///< components or labels that enclose no volume to preserve
+  bool isCancelled = false;     ///< the monitor asked to stop, and this is what there was by then
 };
 
 /// Adds a solution to the result: its iterations, and its residual if that is the largest.
@@ -65,9 +68,9 @@ Points MoveVertices(const MeshQuantities& mesh, const RunPlan& plan, const Point
 /// Moves vertices on lines to the closest points of these.
 void ProjectOntoLines(const MeshQuantities& mesh, const RunPlan& plan, Points& positions);
 
-/// Gives closed components their volume back.
+/// Gives the plan's regions their volumes back.
 /// \throw SolverError if that is not possible.
-void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, Points& positions);
+void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, ModeResult& result);
 }
 
 #endif

@@ -35,10 +35,7 @@ ModeResult SolveOnce(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor&
     AddSolution(solution, options.solver.tolerance, result);
   }
   result.positions = MoveVertices(mesh, plan, solution.displacement);
-  if (options.preserveVolume && options.mode == Mode::SMOOTH)
-  {
-    RestoreVolumes(mesh, plan, result.positions);
-  }
+  RestoreVolumes(mesh, plan, result);
   result.positionWeights = std::move(problem.position.weights);
   result.laplacianWeights = std::move(problem.laplacian.weights);
   return result;

@@ -5,11 +5,13 @@
 #include "Core/Base/Exceptions.h"
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/TriangleGeometry.h"
-#include "Core/Mesh/TriangleNeighbours.h"
+
+#include <Eigen/SparseLU>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 namespace lmo
 {
@@ -19,141 +21,117 @@ constexpr int MostNewtonSteps = 100;
 constexpr double Tolerance = 1e-12;
 constexpr double RoundOff = 1e-14; ///< in terms of what the sum adds and subtracts
 
-/// In the same terms; below that a volume is round-off.
-constexpr double SmallestVolume = 1e-9;
+/// Where the volume of one region is minus the sum of the others, the matrix is singular.
+constexpr double Regularisation = 1e-10;
 
-/// Volume of each component and its derivative for h in V + h * direction.
-struct Volumes
+using RegionVectors = std::vector<std::pair<Index, Vector3>>;
+
+/// Six times the gradient of the volume of each region at vertex i.
+RegionVectors VolumeGradients(const Points& V, const Triangles& triangles,
+  const MeshTopology& topology, const EnclosedRegions& regions, Index i)
 {
-  std::vector<double> volume;
-  std::vector<double> magnitude; ///< sum of the terms' magnitudes
-  std::vector<double> derivative;
-
-  Volumes(const Points& V, const Points& direction, const Triangles& triangles,
-    const std::vector<Index>& component, Index components)
-    : volume(components, 0)
-    , magnitude(components, 0)
-    , derivative(components, 0)
+  RegionVectors gradients;
+  const AdjacencyLists& corners = topology.cornersAt;
+  for (const Index* corner = corners.Begin(i); corner != corners.End(i); ++corner)
   {
-    std::vector<Index> origin(components, -1);
-    for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
+    const Index t = *corner / 3;
+    for (int side = 0; side < 2; ++side)
     {
-      if (IsCollapsed(triangles, t))
+      const Index region = regions.sides(t, side);
+      if (region == EnclosedRegions::None)
       {
         continue;
       }
-      const Index k = component[triangles(t, 0)];
-      origin[k] = origin[k] < 0 ? triangles(t, 0) : origin[k];
-      const double term = VolumeTo(V.row(origin[k]), V, triangles, t);
-      this->volume[k] += term;
-      this->magnitude[k] += std::abs(term);
-      const Vector3 motion = direction.row(triangles(t, 0)) + direction.row(triangles(t, 1)) +
-                             direction.row(triangles(t, 2));
-      this->derivative[k] += ScaledNormal(V, triangles, t).dot(motion) / 6;
+      auto found = std::find_if(gradients.begin(), gradients.end(),
+        [&](const auto& gradient) { return gradient.first == region; });
+      if (found == gradients.end())
+      {
+        found = gradients.insert(found, { region, Vector3::Zero() });
+      }
+      found->second += (side == 0 ? 1 : -1) * ScaledNormal(V, triangles, t);
     }
+  }
+  return gradients;
+}
+
+/// How the vertices move with the offsets h of the regions.
+struct OffsetDirections
+{
+  AdjacencyLists regionsAt; ///< of each vertex
+  Points directions;        ///< for each entry of regionsAt: dV / dh
+
+  OffsetDirections(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+    const EnclosedRegions& regions, const DisplacementConstraints& constraints)
+  {
+    std::vector<RegionVectors> vectors(topology.vertices);
+    ParallelFor(topology.vertices,
+      [&](Index i)
+      {
+        if (constraints.freedom[i] == DisplacementConstraints::FREE)
+        {
+          vectors[i] = VolumeGradients(V, triangles, topology, regions, i);
+        }
+      });
+    this->regionsAt.offsets.assign(topology.vertices + 1, 0);
+    for (Index i = 0; i < topology.vertices; ++i)
+    {
+      this->regionsAt.offsets[i + 1] =
+        this->regionsAt.offsets[i] + static_cast<Index>(vectors[i].size());
+    }
+    this->regionsAt.ids.resize(this->regionsAt.offsets.back());
+    this->directions.resize(this->regionsAt.offsets.back(), 3);
+    ParallelFor(topology.vertices,
+      [&](Index i)
+      {
+        double longest = 0;
+        for (const auto& [region, gradient] : vectors[i])
+        {
+          longest = std::max(longest, gradient.norm());
+        }
+        Index entry = this->regionsAt.offsets[i];
+        for (const auto& [region, gradient] : vectors[i])
+        {
+          const Vector3 direction = longest > 0 ? Vector3(gradient / longest) : gradient;
+          this->directions.row(entry) = constraints.Project(i, direction);
+          this->regionsAt.ids[entry++] = region;
+        }
+      });
   }
 };
 
-/// The components whose triangles all have a neighbour of the same orientation at each edge.
-Mask ClosedComponents(const Triangles& triangles, const MeshTopology& topology,
-  const std::vector<Index>& component, Index components)
-{
-  const Triangles neighbours = FindTriangleNeighbours(triangles, topology);
-  Mask isClosed(components, false);
-  for (Index i = 0; i < topology.vertices; ++i)
-  {
-    isClosed[component[i]] = topology.isUsed[i];
-  }
-  for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
-  {
-    if (!IsCollapsed(triangles, t) && neighbours.row(t).minCoeff() == NoNeighbour)
-    {
-      isClosed[component[triangles(t, 0)]] = false;
-    }
-  }
-  return isClosed;
-}
-
-/// Gives each component its volume.
+/// Gives each region its volume.
 class Restoration
 {
 public:
   Restoration(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const std::vector<Index>& component, const DisplacementConstraints& motion, const Points& moved)
+    const EnclosedRegions& regions, const DisplacementConstraints& constraints, const Points& moved)
     : T(triangles)
-    , Component(component)
-    , Components(component.empty() ? 0 : *std::max_element(component.begin(), component.end()) + 1)
-    , HasVolume(ClosedComponents(triangles, topology, component, this->Components))
-    , Direction(VertexNormals(moved, triangles, topology))
-    , Target(this->VolumesOf(V))
+    , Regions(regions)
+    , Target(MeasureVolumes(V, triangles, regions))
+    , Offsets(moved, triangles, topology, regions, constraints)
   {
-    for (Index k = 0; k < this->Components; ++k)
-    {
-      this->HasVolume[k] = this->HasVolume[k] && std::abs(this->Target.volume[k]) >
-                                                   SmallestVolume * this->Target.magnitude[k];
-    }
-    ParallelFor(topology.vertices,
-      [&](Index i)
-      {
-        if (motion.freedom[i] != DisplacementConstraints::FREE || !this->HasVolume[component[i]])
-        {
-          this->Direction.row(i).setZero();
-        }
-      });
   }
 
-  /// Newton's method for the offset of each component.
-  void Run(Points& moved) const
-  {
-    for (int step = 0; step < MostNewtonSteps; ++step)
-    {
-      const Volumes now = this->VolumesOf(moved);
-      if (this->CountOpen(now) == 0)
-      {
-        return;
-      }
-      ParallelFor(static_cast<Index>(moved.rows()),
-        [&](Index i)
-        {
-          const Index k = this->Component[i];
-          if (this->IsOpen(now, k))
-          {
-            const double offset = (this->Target.volume[k] - now.volume[k]) / now.derivative[k];
-            moved.row(i) += offset * this->Direction.row(i);
-          }
-        });
-    }
-    this->Check(moved);
-  }
-
-private:
-  Volumes VolumesOf(const Points& V) const
-  {
-    return { V, this->Direction, this->T, this->Component, this->Components };
-  }
-
-  /// True if the component has not got its volume yet; NaN is none.
-  bool IsOpen(const Volumes& now, Index k) const
-  {
-    const double missing = std::abs(this->Target.volume[k] - now.volume[k]);
-    const double allowed =
-      Tolerance * std::abs(this->Target.volume[k]) + RoundOff * this->Target.magnitude[k];
-    return this->HasVolume[k] && !(missing <= allowed);
-  }
-
-  Index CountOpen(const Volumes& now) const
+  Index CountWithoutVolume() const
   {
     Index count = 0;
-    for (Index k = 0; k < this->Components; ++k)
+    for (Index k = 0; k < this->Regions.count; ++k)
     {
-      count += this->IsOpen(now, k);
+      count += !this->Target.IsSignificant(k);
     }
     return count;
   }
 
-  void Check(const Points& moved) const
+  /// Newton's method for the offsets of all regions.
+  void Run(Points& moved) const
   {
-    if (const Index open = this->CountOpen(this->VolumesOf(moved)))
+    Vector missing = this->Missing(moved);
+    for (int step = 0; step < MostNewtonSteps && !missing.isZero(0); ++step)
+    {
+      this->Move(this->SolveFor(missing, moved), moved);
+      missing = this->Missing(moved);
+    }
+    if (const auto open = (missing.array() != 0).count()) // NaN is one
     {
       throw SolverError("No offset along the normals gives " + std::to_string(open) +
                         (open == 1 ? " component" : " components") +
@@ -162,18 +140,97 @@ private:
     }
   }
 
+private:
+  /// What is missing from the volume of each region; 0 for what is round-off.
+  Vector Missing(const Points& V) const
+  {
+    Vector missing = this->Target.volume - MeasureVolumes(V, this->T, this->Regions).volume;
+    for (Index k = 0; k < this->Regions.count; ++k)
+    {
+      const double allowed =
+        Tolerance * std::abs(this->Target.volume[k]) + RoundOff * this->Target.magnitude[k];
+      if (!this->Target.IsSignificant(k) || std::abs(missing[k]) <= allowed)
+      {
+        missing[k] = 0;
+      }
+    }
+    return missing;
+  }
+
+  /// The derivatives of the volumes for the offsets; the diagonal is 1 where there is none.
+  Eigen::SparseMatrix<double> Jacobian(const Points& V) const
+  {
+    const AdjacencyLists& regionsAt = this->Offsets.regionsAt;
+    Vector diagonal = Vector::Zero(this->Regions.count);
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Index corner = 0; corner < static_cast<Index>(this->T.size()); ++corner)
+    {
+      const Index t = corner / 3;
+      const Index i = this->T.data()[corner];
+      if (IsCollapsed(this->T, t) || regionsAt.Size(i) == 0)
+      {
+        continue;
+      }
+      const Vector3 gradient = ScaledNormal(V, this->T, t) / 6;
+      for (int side = 0; side < 2; ++side)
+      {
+        const Index k = this->Regions.sides(t, side);
+        for (Index n = regionsAt.offsets[i]; k >= 0 && n < regionsAt.offsets[i + 1]; ++n)
+        {
+          const double change =
+            (side == 0 ? 1 : -1) * gradient.dot(this->Offsets.directions.row(n));
+          const Index l = regionsAt.ids[n];
+          if (l == k)
+          {
+            diagonal[k] += change;
+          }
+          else
+          {
+            entries.emplace_back(k, l, change);
+          }
+        }
+      }
+    }
+    for (Index k = 0; k < this->Regions.count; ++k)
+    {
+      entries.emplace_back(k, k, diagonal[k] != 0 ? (1 + Regularisation) * diagonal[k] : 1);
+    }
+    Eigen::SparseMatrix<double> jacobian(this->Regions.count, this->Regions.count);
+    jacobian.setFromTriplets(entries.begin(), entries.end());
+    return jacobian;
+  }
+
+  Vector SolveFor(const Vector& missing, const Points& V) const
+  {
+    const Eigen::SparseLU<Eigen::SparseMatrix<double>> factors(this->Jacobian(V));
+    return factors.info() == Eigen::Success ? Vector(factors.solve(missing)) : missing;
+  }
+
+  void Move(const Vector& offsets, Points& V) const
+  {
+    const AdjacencyLists& regionsAt = this->Offsets.regionsAt;
+    ParallelFor(static_cast<Index>(V.rows()),
+      [&](Index i)
+      {
+        for (Index n = regionsAt.offsets[i]; n < regionsAt.offsets[i + 1]; ++n)
+        {
+          V.row(i) += offsets[regionsAt.ids[n]] * this->Offsets.directions.row(n);
+        }
+      });
+  }
+
   const Triangles& T;
-  const std::vector<Index>& Component;
-  const Index Components;
-  Mask HasVolume;
-  Points Direction; ///< unit normals, 0 where a vertex stays
-  const Volumes Target;
+  const EnclosedRegions& Regions;
+  const RegionVolumes Target;
+  const OffsetDirections Offsets;
 };
 }
 
-void RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const std::vector<Index>& component, const DisplacementConstraints& motion, Points& moved)
+Index RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+  const EnclosedRegions& regions, const DisplacementConstraints& constraints, Points& moved)
 {
-  Restoration(V, triangles, topology, component, motion, moved).Run(moved);
+  const Restoration restoration(V, triangles, topology, regions, constraints, moved);
+  restoration.Run(moved);
+  return restoration.CountWithoutVolume();
 }
 }

@@ -4,18 +4,19 @@
 #define lmo_VolumePreservation_h
 
 #include "Core/Mesh/DisplacementConstraints.h"
-#include "Core/Mesh/MeshTopology.h"
+#include "Core/Optimizer/EnclosedRegions.h"
 
 namespace lmo
 {
-/// Gives each closed component of \a moved the volume that it encloses in \a V, by an offset along
-/// its vertex normals, the same for all its vertices that may move freely. A component with a
-/// boundary, with an edge of three and more triangles or with triangles of different orientations
-/// encloses none.
-/// \param component connected component of each vertex
-/// \throw SolverError if there is no such offset
-void RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const std::vector<Index>& component, const DisplacementConstraints& motion, Points& moved);
+/// Gives each region of \a moved the volume that it encloses in \a V. A vertex that may move freely
+/// is offset by
+///   sum_k h_k g_k / max_k |g_k|,
+/// where g_k is the gradient of the volume of region k: along its normal on the surface of one
+/// region, by the difference of two offsets between two regions. Newton's method finds the h_k.
+/// \return how many of the regions have no volume in \a V but round-off
+/// \throw SolverError if there are no such offsets
+Index RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+  const EnclosedRegions& regions, const DisplacementConstraints& constraints, Points& moved);
 }
 
 #endif
