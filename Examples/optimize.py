@@ -133,7 +133,7 @@ def report(optimizer, surface, seconds):
     deviation = SurfaceDeviation(Input=optimizer, Reference=surface)
     distance = servermanager.Fetch(deviation).GetFieldData().GetArray('RelativeHausdorffDistance')
 
-    def figure(name):
+    def metric(name):
         return mesh.GetFieldData().GetArray(name).GetValue(0)
 
     def share_of_bad(name):
@@ -143,19 +143,19 @@ def report(optimizer, surface, seconds):
     print('%d points, %d triangles' % (mesh.GetNumberOfPoints(), mesh.GetNumberOfPolys()))
     print('                           before     after')
     print('mean radius ratio        %8.4f  %8.4f'
-          % (figure('InputMeanRadiusRatio'), figure('MeanRadiusRatio')))
+          % (metric('InputMeanRadiusRatio'), metric('MeanRadiusRatio')))
     print('minimum radius ratio     %8.4f  %8.4f'
-          % (figure('InputMinimumRadiusRatio'), figure('MinimumRadiusRatio')))
+          % (metric('InputMinimumRadiusRatio'), metric('MinimumRadiusRatio')))
     print('triangles under 0.3      %7.2f%%  %7.2f%%'
           % (100 * share_of_bad('InputRadiusRatio'), 100 * share_of_bad('RadiusRatio')))
-    print('maximum displacement     %8.5f of the diagonal' % figure('RelativeMaximumDisplacement'))
+    print('maximum displacement     %8.5f of the diagonal' % metric('RelativeMaximumDisplacement'))
     print('Hausdorff distance       %8.5f of the diagonal' % distance.GetValue(0))
     if optimizer.Mode == 'Optimize Within Deviation':
-        print('  guaranteed at most     %8.5f' % figure('RelativeHausdorffBound'))
+        print('  guaranteed at most     %8.5f' % metric('RelativeHausdorffBound'))
     print('volume change            %+7.3f%% (0 if the surface is open)'
-          % (100 * figure('RelativeVolumeChange')))
-    print('flipped triangles        %8d' % figure('FlippedTriangles'))
-    print('iterations               %8d' % figure('Iterations'))
+          % (100 * metric('RelativeVolumeChange')))
+    print('flipped triangles        %8d' % metric('FlippedTriangles'))
+    print('iterations               %8d' % metric('Iterations'))
     print('time                     %8.3f s' % seconds)
 
 

@@ -247,8 +247,8 @@ public:
 
   ///@{
   /**
-   * Also penalise motion along the normal of each point (Eqns. 14 and 15), which keeps the points
-   * closer to the surface. x, y and z then form one coupled system. Default: off.
+   * Also penalise displacements along the normal of each point (Eqns. 14 and 15), which keeps the
+   * points closer to the surface. x, y and z then form one coupled system. Default: off.
    */
   vtkSetMacro(TangentPlaneConstraints, vtkTypeBool);
   vtkGetMacro(TangentPlaneConstraints, vtkTypeBool);

@@ -4,6 +4,8 @@
 #   bash Testing/run-on.sh SYSTEM [CTEST_ARGUMENT...]
 #   SYSTEM  a release of Debian: trixie, bookworm, forky, stable, testing ...
 #   LMO_SYSTEMS=DIR  folder where the systems are kept for the next time (default: build-on)
+#   LMO_TARGETS=T... as for run.sh
+#   LMO_PREPARE=1    makes the system and installs the packages, and leaves the rest for later
 # The picture that the first command made is left in build-on/SYSTEM.png.
 set -euo pipefail
 if [ $# -eq 0 ]; then
@@ -13,6 +15,7 @@ fi
 system=$1
 shift
 source_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+project=/project # in the system
 root="${LMO_SYSTEMS:-$source_dir/build-on}/$system"
 
 . "$source_dir/CMake/install-packages.sh"
@@ -24,6 +27,8 @@ if [ ! -e "$root/etc/debian_version" ] || [ -e "$root/debootstrap" ]; then
   # The script of Debian's unstable release makes all releases, those too that this system's
   # debootstrap has no name for.
   quietly as_root debootstrap --variant=minbase "$system" "$root" "" sid
+  # Nothing is lost with a system that is made in minutes.
+  echo force-unsafe-io | as_root tee "$root/etc/dpkg/dpkg.cfg.d/unsafe-io" >/dev/null
   # A mirror that is not up to date serves as well.
   echo 'Acquire::Check-Valid-Until "false";' |
     as_root tee "$root/etc/apt/apt.conf.d/no-expiry" >/dev/null
@@ -44,13 +49,18 @@ in_system() {
   ' - "$root" "$@"
 }
 
-as_root rm -rf "$root/root/project"
-as_root git clone -q "file://$source_dir" "$root/root/project"
+as_root rm -rf "$root$project"
+as_root git clone -q "file://$source_dir" "$root$project"
 as_root mkdir -p "$root/dev/shm"
 
+if [ -n "${LMO_PREPARE:-}" ]; then
+  in_system bash -c "cd $project && . Testing/install-test-packages.sh"
+  exit
+fi
+
 echo "--- $system: bash Examples/optimize.sh --output optimized.vtp --image optimized.png"
-in_system bash -c 'cd /root/project && bash Examples/optimize.sh --output optimized.vtp --image optimized.png'
+in_system bash -c "cd $project && bash Examples/optimize.sh --output optimized.vtp --image optimized.png"
 mkdir -p "$source_dir/build-on"
-cp "$root/root/project/optimized.png" "$source_dir/build-on/$system.png"
+cp "$root$project/optimized.png" "$source_dir/build-on/$system.png"
 echo "--- $system: bash Testing/run.sh $*"
-in_system bash -c 'cd /root/project && exec bash Testing/run.sh "$@"' - "$@"
+in_system env LMO_TARGETS="${LMO_TARGETS:-}" bash -c "cd $project && exec bash Testing/run.sh \"\$@\"" - "$@"

@@ -11,18 +11,20 @@ namespace lmo
 {
 namespace
 {
-/// The problem with the motion that owners allow at the copies, for which this process does not see
-/// all triangles.
-LeastSquaresProblem WithMotionOfOwners(LeastSquaresProblem problem, const DistributedMesh& mesh)
+/// The problem with the constraints that owners set at the ghosts, for which this process does not
+/// see all triangles.
+LeastSquaresProblem WithConstraintsOfOwners(
+  LeastSquaresProblem problem, const DistributedMesh& mesh)
 {
   Vector freedom(problem.Size());
-  std::copy(problem.motion.freedom.begin(), problem.motion.freedom.end(), freedom.begin());
-  mesh.UpdateCopies(freedom.data(), 1);
-  std::transform(freedom.begin(), freedom.end(), problem.motion.freedom.begin(),
+  std::copy(
+    problem.constraints.freedom.begin(), problem.constraints.freedom.end(), freedom.begin());
+  mesh.UpdateGhosts(freedom.data(), 1);
+  std::transform(freedom.begin(), freedom.end(), problem.constraints.freedom.begin(),
     [](double value) { return static_cast<unsigned char>(value); });
-  if (mesh.GetCommunicator().Maximum(problem.motion.axes.rows() > 0) > 0)
+  if (mesh.GetCommunicator().Maximum(problem.constraints.axes.rows() > 0) > 0)
   {
-    mesh.UpdateCopies(problem.motion.axes.data(), 3);
+    mesh.UpdateGhosts(problem.constraints.axes.data(), 3);
   }
   return problem;
 }
@@ -32,7 +34,7 @@ LeastSquaresProblem WithMotionOfOwners(LeastSquaresProblem problem, const Distri
 PetscMatrix FormMatrix(const DistributedEquations& equations, int components)
 {
   const DistributedMesh& mesh = equations.GetMesh();
-  const SparseMatrix A = NormalMatrix(WithMotionOfOwners(equations.GetProblem(), mesh));
+  const SparseMatrix A = NormalMatrix(WithConstraintsOfOwners(equations.GetProblem(), mesh));
   const PetscInt size = components * PetscInt(mesh.GetNumberOfOwned());
   std::vector<PetscInt> offsets{ 0 };
   std::vector<PetscInt> columns;

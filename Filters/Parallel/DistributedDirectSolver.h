@@ -9,7 +9,7 @@ namespace lmo
 {
 /// Factorises the matrix of the equations, with MUMPS or as the options -lmo_direct_... say, and
 /// solves them. Collective.
-/// \return displacements that are right at the copies too
+/// \return displacements that are right at the ghosts too
 /// \throw SolverError if the matrix is singular or PETSc lacks the package.
 Points SolveDirectly(const DistributedEquations& equations);
 }

@@ -54,7 +54,7 @@ void DistributedEquations::Multiply(Vec x, Vec product)
       const double* row = from + 3 * std::ptrdiff_t(i);
       packed.col(i) << row[0], row[1], row[2], 0;
     });
-  this->Mesh.UpdateCopies(this->X.data(), 4);
+  this->Mesh.UpdateGhosts(this->X.data(), 4);
   this->A.Multiply(this->X, this->Product);
   const VectorRoom room(product);
   ParallelFor(owned, [packed = View(std::as_const(this->Product)), to = room.Get()](Index i)
@@ -112,8 +112,8 @@ void DistributedEquations::Add(Vec correction, Points& d) const
     [&](Index i)
     {
       const Eigen::Map<const Vector3> step(values.Get() + 3 * std::ptrdiff_t(i));
-      d.row(i) += this->Problem.motion.Project(i, step);
+      d.row(i) += this->Problem.constraints.Project(i, step);
     });
-  this->Mesh.UpdateCopies(d.data(), 3);
+  this->Mesh.UpdateGhosts(d.data(), 3);
 }
 }

@@ -9,7 +9,7 @@
 namespace lmo
 {
 /// The normal equations of a problem on a distributed mesh for PETSc: vectors hold x, y, z of each
-/// vertex that a process owns. The matrix is applied, never formed: copies are updated, then each
+/// vertex that a process owns. The matrix is applied, never formed: ghosts are updated, then each
 /// process does what one process does with a whole mesh.
 class DistributedEquations
 {
@@ -33,7 +33,7 @@ public:
   void ApplyJacobi(Vec residual, Vec result) const;
 
   /// b - A d as a vector.
-  /// \param d right at the copies too
+  /// \param d right at the ghosts too
   void ComputeResidual(const Points& d, Vec residual) const;
 
   /// d += correction.

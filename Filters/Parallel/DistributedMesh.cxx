@@ -37,15 +37,15 @@ DistributedMesh::DistributedMesh(const Communicator& comm, Piece piece)
   piece.owners = ChooseOwners(comm, piece.ids, UsedPoints(piece));
   const std::int64_t firstNumber = comm.SumBefore(std::int64_t(piece.triangles.rows()));
   const Neighbourhood neighbourhood = GatherNeighbourhood(comm, piece, firstNumber);
-  std::vector<OwnedVertex> copies = this->CollectCopies(neighbourhood, piece);
-  this->MakeTriangles(neighbourhood, piece, firstNumber, copies);
-  this->Reorder(copies);
-  this->Connect(piece, copies);
+  std::vector<OwnedVertex> ghosts = this->CollectGhosts(neighbourhood, piece);
+  this->MakeTriangles(neighbourhood, piece, firstNumber, ghosts);
+  this->Reorder(ghosts);
+  this->Connect(piece, ghosts);
   this->V = this->FromPiece(piece.points);
   this->CheckCoordinates(piece);
 }
 
-std::vector<OwnedVertex> DistributedMesh::CollectCopies(
+std::vector<OwnedVertex> DistributedMesh::CollectGhosts(
   const Neighbourhood& neighbourhood, const Piece& piece)
 {
   const int rank = this->Comm.Rank();
@@ -59,13 +59,13 @@ std::vector<OwnedVertex> DistributedMesh::CollectCopies(
   }
   this->Owned = IdList(std::move(owned));
 
-  std::vector<OwnedVertex> copies;
+  std::vector<OwnedVertex> ghosts;
   std::unordered_set<GlobalId> known;
   const auto add = [&](const OwnedVertex& vertex)
   {
     if (vertex.owner != rank && known.insert(vertex.id).second)
     {
-      copies.push_back(vertex);
+      ghosts.push_back(vertex);
     }
   };
   for (const Index t : neighbourhood.own)
@@ -79,16 +79,16 @@ std::vector<OwnedVertex> DistributedMesh::CollectCopies(
   {
     std::for_each(std::begin(triangle.vertices), std::end(triangle.vertices), add);
   }
-  std::sort(copies.begin(), copies.end(),
+  std::sort(ghosts.begin(), ghosts.end(),
     [](const OwnedVertex& a, const OwnedVertex& b) { return a.id < b.id; });
-  return copies;
+  return ghosts;
 }
 
 void DistributedMesh::MakeTriangles(const Neighbourhood& neighbourhood, const Piece& piece,
-  std::int64_t firstNumber, const std::vector<OwnedVertex>& copies)
+  std::int64_t firstNumber, const std::vector<OwnedVertex>& ghosts)
 {
   std::vector<GlobalId> ids;
-  std::transform(copies.begin(), copies.end(), std::back_inserter(ids),
+  std::transform(ghosts.begin(), ghosts.end(), std::back_inserter(ids),
     [](const OwnedVertex& vertex) { return vertex.id; });
   const IdList copyIds(std::move(ids));
   const auto numberOf = [&](const OwnedVertex& vertex)
@@ -131,7 +131,7 @@ void DistributedMesh::MakeTriangles(const Neighbourhood& neighbourhood, const Pi
   addForeignBefore(std::numeric_limits<std::int64_t>::max());
 }
 
-void DistributedMesh::Reorder(std::vector<OwnedVertex>& copies)
+void DistributedMesh::Reorder(std::vector<OwnedVertex>& ghosts)
 {
   const Index owned = this->Owned.Size();
   this->Numbers.resize(owned);
@@ -140,7 +140,7 @@ void DistributedMesh::Reorder(std::vector<OwnedVertex>& copies)
   {
     return;
   }
-  MeshOrder order = BreadthFirstOrder(owned + static_cast<Index>(copies.size()), this->T);
+  MeshOrder order = BreadthFirstOrder(owned + static_cast<Index>(ghosts.size()), this->T);
   std::stable_partition(
     order.vertices.begin(), order.vertices.end(), [&](Index i) { return i < owned; });
   this->T = Renumber(order, this->T);
@@ -151,25 +151,25 @@ void DistributedMesh::Reorder(std::vector<OwnedVertex>& copies)
     sourcePoints[i] = this->SourcePoints[order.vertices[i]];
   }
   this->SourcePoints = std::move(sourcePoints);
-  std::vector<OwnedVertex> oldCopies = copies;
-  for (std::size_t k = 0; k < copies.size(); ++k)
+  std::vector<OwnedVertex> oldGhosts = ghosts;
+  for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
-    copies[k] = oldCopies[order.vertices[owned + k] - owned];
+    ghosts[k] = oldGhosts[order.vertices[owned + k] - owned];
   }
 }
 
-void DistributedMesh::Connect(const Piece& piece, const std::vector<OwnedVertex>& copies)
+void DistributedMesh::Connect(const Piece& piece, const std::vector<OwnedVertex>& ghosts)
 {
   const Index owned = this->Owned.Size();
-  this->CopyPlaces = FindPlaces(this->Comm, copies, this->Owned, this->Numbers);
-  this->Copies = std::make_unique<GhostVertices>(this->Comm, owned, this->CopyPlaces);
+  this->GhostPlaces = FindPlaces(this->Comm, ghosts, this->Owned, this->Numbers);
+  this->Ghosts = std::make_unique<GhostVertices>(this->Comm, owned, this->GhostPlaces);
 
   std::vector<OwnedVertex> points(this->PiecePoints);
   for (Index i = 0; i < this->PiecePoints; ++i)
   {
     points[i] = { piece.ids[i], piece.owners[i] };
   }
-  this->PieceCopies = std::make_unique<GhostVertices>(
+  this->PieceGhosts = std::make_unique<GhostVertices>(
     this->Comm, owned, FindPlaces(this->Comm, points, this->Owned, this->Numbers));
 
   this->FirstRows =
@@ -214,13 +214,13 @@ std::int64_t DistributedMesh::GetRow(Index i) const
   {
     return this->GetFirstRow() + i;
   }
-  const VertexPlace& place = this->CopyPlaces[i - this->GetNumberOfOwned()];
+  const VertexPlace& place = this->GhostPlaces[i - this->GetNumberOfOwned()];
   return this->FirstRows[place.rank] + place.number;
 }
 
 void DistributedMesh::UniteMaximum(Vector& values) const
 {
-  this->Copies->ReduceMaximum(values.data() + this->GetNumberOfOwned(), values.data());
-  this->UpdateCopies(values.data(), 1);
+  this->Ghosts->ReduceMaximum(values.data() + this->GetNumberOfOwned(), values.data());
+  this->UpdateGhosts(values.data(), 1);
 }
 }

@@ -10,7 +10,7 @@
 namespace lmo
 {
 /// A surface over several processes, each of which brings a piece along: which vertices a process
-/// owns, the triangles within two edges of them, and the ways between owners and copies. Pieces may
+/// owns, the triangles within two edges of them, and the ways between owners and ghosts. Pieces may
 /// be empty, and may be cut in any way; vertices with the same id are one.
 class DistributedMesh
 {
@@ -22,10 +22,10 @@ public:
 
   const Communicator& GetCommunicator() const { return this->Comm; }
 
-  /// The vertices of this process: first those it owns, then copies.
+  /// The vertices of this process: first those it owns, then ghosts.
   Index GetNumberOfVertices() const
   {
-    return this->Owned.Size() + static_cast<Index>(this->CopyPlaces.size());
+    return this->Owned.Size() + static_cast<Index>(this->GhostPlaces.size());
   }
   Index GetNumberOfOwned() const { return this->Owned.Size(); }
   std::int64_t GetGlobalNumberOfVertices() const { return this->GlobalVertices; }
@@ -38,11 +38,11 @@ public:
   std::int64_t GetRow(Index i) const;
   std::int64_t GetFirstRow() const { return this->FirstRows[this->Comm.Rank()]; }
 
-  /// Gives the copies among the vertices the values of their owners.
+  /// Gives the ghosts among the vertices the values of their owners.
   template <typename Scalar>
-  void UpdateCopies(Scalar* values, int components) const;
+  void UpdateGhosts(Scalar* values, int components) const;
 
-  /// Gives both owners and copies the largest of their values.
+  /// Gives both owners and ghosts the largest of their values.
   void UniteMaximum(Vector& values) const;
 
   /// Values at the points of the piece from values at the vertices.
@@ -54,39 +54,39 @@ public:
   Values FromPiece(const Values& pointValues) const;
 
 private:
-  std::vector<OwnedVertex> CollectCopies(const Neighbourhood& neighbourhood, const Piece& piece);
+  std::vector<OwnedVertex> CollectGhosts(const Neighbourhood& neighbourhood, const Piece& piece);
   void MakeTriangles(const Neighbourhood& neighbourhood, const Piece& piece,
-    std::int64_t firstNumber, const std::vector<OwnedVertex>& copies);
-  void Reorder(std::vector<OwnedVertex>& copies);
-  void Connect(const Piece& piece, const std::vector<OwnedVertex>& copies);
+    std::int64_t firstNumber, const std::vector<OwnedVertex>& ghosts);
+  void Reorder(std::vector<OwnedVertex>& ghosts);
+  void Connect(const Piece& piece, const std::vector<OwnedVertex>& ghosts);
   void CheckCoordinates(const Piece& piece) const;
 
   Communicator Comm;
   IdList Owned;
   std::vector<Index> Numbers;      ///< of the vertices owned, in the order of their ids
   std::vector<Index> SourcePoints; ///< of each vertex owned, a point of the piece
-  std::vector<VertexPlace> CopyPlaces;
+  std::vector<VertexPlace> GhostPlaces;
   std::vector<std::int64_t> FirstRows; ///< of each process
   std::int64_t GlobalVertices = 0;
   Index PiecePoints = 0;
   Points V;
   Triangles T;
-  std::unique_ptr<GhostVertices> Copies;      ///< the vertices that are not owned
-  std::unique_ptr<GhostVertices> PieceCopies; ///< the points of the piece
+  std::unique_ptr<GhostVertices> Ghosts;      ///< the vertices that are not owned
+  std::unique_ptr<GhostVertices> PieceGhosts; ///< the points of the piece
 };
 
 template <typename Scalar>
-void DistributedMesh::UpdateCopies(Scalar* values, int components) const
+void DistributedMesh::UpdateGhosts(Scalar* values, int components) const
 {
   const std::ptrdiff_t owned = std::ptrdiff_t(components) * this->GetNumberOfOwned();
-  this->Copies->Update(values, values + owned, components);
+  this->Ghosts->Update(values, values + owned, components);
 }
 
 template <typename Values>
 Values DistributedMesh::ToPiece(const Values& vertexValues) const
 {
   Values pointValues(this->PiecePoints, vertexValues.cols());
-  this->PieceCopies->Update(
+  this->PieceGhosts->Update(
     vertexValues.data(), pointValues.data(), static_cast<int>(vertexValues.cols()));
   return pointValues;
 }
@@ -99,7 +99,7 @@ Values DistributedMesh::FromPiece(const Values& pointValues) const
   {
     vertexValues.row(i) = pointValues.row(this->SourcePoints[i]);
   }
-  this->UpdateCopies(vertexValues.data(), static_cast<int>(vertexValues.cols()));
+  this->UpdateGhosts(vertexValues.data(), static_cast<int>(vertexValues.cols()));
   return vertexValues;
 }
 }

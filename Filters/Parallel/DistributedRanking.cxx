@@ -161,7 +161,7 @@ Vector DistributedShares(const Communicator& comm, const Vector& values, const M
   const double total = double(std::max<std::int64_t>(comm.Sum(std::int64_t(counted.size())), 1));
   const Intervals intervals(comm, counted);
   PerProcess<ValueCount> leaving(comm.Size());
-  // Values that do not count here, such as those of copies, want to know their share too.
+  // Values that do not count here, such as those of ghosts, want to know their share too.
   std::vector<ValueCount> distinct = CountValues(std::move(counted));
   for (const ValueCount& item : CountValues({ values.begin(), values.end() }))
   {

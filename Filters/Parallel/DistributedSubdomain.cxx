@@ -111,24 +111,24 @@ Vector DistributedSubdomain::CumulativeShares(const Vector& values, const Mask& 
   return DistributedShares(this->Mesh->GetCommunicator(), values, counts);
 }
 
-void DistributedSubdomain::UpdateCopies(Vector& values) const
+void DistributedSubdomain::UpdateGhosts(Vector& values) const
 {
-  this->Mesh->UpdateCopies(values.data(), 1);
+  this->Mesh->UpdateGhosts(values.data(), 1);
 }
 
-void DistributedSubdomain::UpdateCopies(Points& values) const
+void DistributedSubdomain::UpdateGhosts(Points& values) const
 {
-  this->Mesh->UpdateCopies(values.data(), 3);
+  this->Mesh->UpdateGhosts(values.data(), 3);
 }
 
-void DistributedSubdomain::UpdateCopies(Eigen::Array4Xf& values) const
+void DistributedSubdomain::UpdateGhosts(Eigen::Array4Xf& values) const
 {
-  this->Mesh->UpdateCopies(values.data(), 4);
+  this->Mesh->UpdateGhosts(values.data(), 4);
 }
 
-void DistributedSubdomain::UpdateCopies(Eigen::Array4Xd& values) const
+void DistributedSubdomain::UpdateGhosts(Eigen::Array4Xd& values) const
 {
-  this->Mesh->UpdateCopies(values.data(), 4);
+  this->Mesh->UpdateGhosts(values.data(), 4);
 }
 
 void DistributedSubdomain::UniteFlags(const std::vector<Index>& component, Mask& flags) const

@@ -25,10 +25,10 @@ public:
   double Maximum(double value) const override;
   double Quantile(std::vector<double> values, double q) const override;
   Vector CumulativeShares(const Vector& values, const Mask& counts) const override;
-  void UpdateCopies(Vector& values) const override;
-  void UpdateCopies(Points& values) const override;
-  void UpdateCopies(Eigen::Array4Xf& values) const override;
-  void UpdateCopies(Eigen::Array4Xd& values) const override;
+  void UpdateGhosts(Vector& values) const override;
+  void UpdateGhosts(Points& values) const override;
+  void UpdateGhosts(Eigen::Array4Xf& values) const override;
+  void UpdateGhosts(Eigen::Array4Xd& values) const override;
   void UniteFlags(const std::vector<Index>& component, Mask& flags) const override;
   void ProjectOntoLines(
     const FeatureLines& features, const Points& V, Points& moved) const override;

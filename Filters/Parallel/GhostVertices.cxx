@@ -53,25 +53,25 @@ GhostVertices::GhostVertices(
   Check(PetscSFSetUp(this->Forest));
 }
 
-void GhostVertices::Update(const double* owners, double* copies, int components) const
+void GhostVertices::Update(const double* owners, double* ghosts, int components) const
 {
-  this->UpdateUnits(owners, copies, UnitType(components, MPI_DOUBLE));
+  this->UpdateUnits(owners, ghosts, UnitType(components, MPI_DOUBLE));
 }
 
-void GhostVertices::Update(const float* owners, float* copies, int components) const
+void GhostVertices::Update(const float* owners, float* ghosts, int components) const
 {
-  this->UpdateUnits(owners, copies, UnitType(components, MPI_FLOAT));
+  this->UpdateUnits(owners, ghosts, UnitType(components, MPI_FLOAT));
 }
 
-void GhostVertices::UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const
+void GhostVertices::UpdateUnits(const void* owners, void* ghosts, MPI_Datatype unit) const
 {
-  Check(PetscSFBcastBegin(this->Forest, unit, owners, copies, MPI_REPLACE));
-  Check(PetscSFBcastEnd(this->Forest, unit, owners, copies, MPI_REPLACE));
+  Check(PetscSFBcastBegin(this->Forest, unit, owners, ghosts, MPI_REPLACE));
+  Check(PetscSFBcastEnd(this->Forest, unit, owners, ghosts, MPI_REPLACE));
 }
 
-void GhostVertices::ReduceMaximum(const double* copies, double* owners) const
+void GhostVertices::ReduceMaximum(const double* ghosts, double* owners) const
 {
-  Check(PetscSFReduceBegin(this->Forest, MPI_DOUBLE, copies, owners, MPI_MAX));
-  Check(PetscSFReduceEnd(this->Forest, MPI_DOUBLE, copies, owners, MPI_MAX));
+  Check(PetscSFReduceBegin(this->Forest, MPI_DOUBLE, ghosts, owners, MPI_MAX));
+  Check(PetscSFReduceEnd(this->Forest, MPI_DOUBLE, ghosts, owners, MPI_MAX));
 }
 }

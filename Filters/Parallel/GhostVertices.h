@@ -25,15 +25,15 @@ public:
 
   /// Gives each copy the values of its owner.
   /// \param owners \a components values for each vertex owned, one vertex after the other
-  /// \param copies room for as many values for each copy; does not overlap \a owners
-  void Update(const double* owners, double* copies, int components) const;
-  void Update(const float* owners, float* copies, int components) const;
+  /// \param ghosts room for as many values for each copy; does not overlap \a owners
+  void Update(const double* owners, double* ghosts, int components) const;
+  void Update(const float* owners, float* ghosts, int components) const;
 
-  /// Gives each owner the largest of its own value and those of the copies.
-  void ReduceMaximum(const double* copies, double* owners) const;
+  /// Gives each owner the largest of its own value and those of the ghosts.
+  void ReduceMaximum(const double* ghosts, double* owners) const;
 
 private:
-  void UpdateUnits(const void* owners, void* copies, MPI_Datatype unit) const;
+  void UpdateUnits(const void* owners, void* ghosts, MPI_Datatype unit) const;
 
   PetscStarForest Forest;
 };

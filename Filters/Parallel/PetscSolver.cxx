@@ -157,7 +157,7 @@ LeastSquaresProblem FixGhostVertices(const LeastSquaresProblem& problem, const S
   {
     if (!domain.OwnsVertex(i))
     {
-      owned.motion.freedom[i] = DisplacementConstraints::FIXED;
+      owned.constraints.freedom[i] = DisplacementConstraints::FIXED;
     }
   }
   return owned;

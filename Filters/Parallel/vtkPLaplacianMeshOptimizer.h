@@ -9,14 +9,14 @@
  * imported in Python.
  *
  * Points that have the same global id (vtkDataSetAttributes::GetGlobalIds()) are one; without
- * global ids, points with the same coordinates are (vtkGenerateGlobalIds). Their copies come out
+ * global ids, points with the same coordinates are (vtkGenerateGlobalIds). Their ghosts come out
  * identical in all processes. Cells that vtkGhostType marks as duplicates do not count. Pieces may
  * be cut in any way and may be empty.
  *
  * A composite data set is an error in several processes, which may hold different blocks of it.
  *
  * Every process has to execute the filter, with the same properties. An error in one process is an
- * error in all. The figures, on every process, are those of the whole surface. With one process, or
+ * error in all. The metrics, on every process, are those of the whole surface. With one process, or
  * without MPI, this is vtkLaplacianMeshOptimizer.
  *
  * Options of PETSc with the prefixes -lmo_ksp_ and -lmo_pc_ (conjugate gradients, which are PETSc's

@@ -52,10 +52,10 @@ std::vector<Index> PointsWithTwins(const Points& V)
 bool IsOnBoundary(const AdjacencyLists& cornersAt, const Triangles& triangles, Index point)
 {
   std::vector<Index> neighbours;
-  for (const Index* corner = cornersAt.Begin(point); corner != cornersAt.End(point); ++corner)
+  for (const Index corner : cornersAt[point])
   {
-    neighbours.push_back(triangles.data()[NextCorner(*corner)]);
-    neighbours.push_back(triangles.data()[PreviousCorner(*corner)]);
+    neighbours.push_back(triangles.data()[NextCorner(corner)]);
+    neighbours.push_back(triangles.data()[PreviousCorner(corner)]);
   }
   std::sort(neighbours.begin(), neighbours.end());
   for (auto first = neighbours.begin(); first != neighbours.end();)

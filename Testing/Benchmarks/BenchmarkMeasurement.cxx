@@ -80,7 +80,7 @@ std::array<double, Stages.size()> StagePercents(
 }
 
 #ifdef __GLIBC__
-/// A figure of this process, in bytes.
+/// A number about this process, in bytes.
 double ProcessBytes(const std::string& key)
 {
   std::ifstream status("/proc/self/status");

@@ -127,6 +127,26 @@ TestMesh LongTriangles()
   return mesh;
 }
 
+TestMesh Hexagon()
+{
+  TestMesh mesh{ Points::Zero(7, 3), Triangles(6, 3) };
+  for (int k = 0; k < 6; ++k)
+  {
+    const double angle = k * std::acos(0.5);
+    mesh.V.row(k + 1) << std::cos(angle), std::sin(angle), 0;
+    mesh.T.row(k) << 0, k + 1, (k + 1) % 6 + 1;
+  }
+  return mesh;
+}
+
+TestMesh Hinge()
+{
+  TestMesh mesh{ Points(4, 3), Triangles(2, 3) };
+  mesh.V << 0, 0, 0, 0, 1, 0, -1, 0.5, 0, 1, 0.5, 0;
+  mesh.T << 0, 1, 2, 1, 0, 3;
+  return mesh;
+}
+
 TestMesh ThreeWings()
 {
   return MakeMesh({ { 0, 0, 0 }, { 0, 0, 1 }, { 1, 0, 0 }, { -1, 1, 0 }, { -1, -1, 0 } },
@@ -151,7 +171,7 @@ TestMesh HalfSphere(int level)
     level, 1);
 }
 
-TestMesh Globe(int meridians, int parallels)
+TestMesh UvSphere(int meridians, int parallels)
 {
   const int rings = meridians * parallels;
   TestMesh mesh{ Points(rings + 2, 3), Triangles(2 * rings, 3) };

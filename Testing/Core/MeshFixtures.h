@@ -46,6 +46,12 @@ TestMesh Grid(int cells, double jitter);
 /// A grid stretched to triangles that are a hundred times longer than wide.
 TestMesh LongTriangles();
 
+/// The vertex in the middle of a flat ring of six equilateral triangles with unit edges is 0.
+TestMesh Hexagon();
+
+/// Two triangles with the edge from (0, 0, 0) to (0, 1, 0), one of them flat at x < 0.
+TestMesh Hinge();
+
 /// Three triangles at the edge between vertices 0 and 1.
 TestMesh ThreeWings();
 
@@ -65,7 +71,7 @@ TestMesh Cube(int level = 0);
 TestMesh Icosphere(int level, double radius = 1);
 
 /// Unit sphere of quads between meridians and parallels, each cut in two; poles come last.
-TestMesh Globe(int meridians, int parallels);
+TestMesh UvSphere(int meridians, int parallels);
 
 /// Tips (0, 0, 1) and (0, 0, -1) over a square; 8 triangles that are cut in four \a level times.
 TestMesh DoublePyramid(int level);

@@ -121,7 +121,7 @@ void CheckWeights(Checks& c)
     std::abs(cumulative[12] - expected[12]) + std::abs(cumulative[156] - expected[156]), 1e-15);
 }
 
-/// A flat border: L_c V of an inner vertex next to it is 0, and that of a border vertex lies in
+/// A flat boundary: L_c V of an inner vertex next to it is 0, and that of a boundary vertex lies in
 /// the plane.
 void CheckFlatBorder(Checks& c)
 {
@@ -130,9 +130,9 @@ void CheckFlatBorder(Checks& c)
   {
     const MeshQuantities quantities(grid.V, grid.T);
     const CotangentQuantities analysis(quantities, isRobust);
-    c.Error("L_c V of a flat sheet is in its plane, also at the border",
+    c.Error("L_c V of a flat sheet is in its plane, also at the boundary",
       LargestMagnitude(Apply(analysis.MakeLaplacian(LaplacianType::COTANGENT), grid.V).col(2)), 0);
-    c.Error("a flat sheet has no curvature, also at the border",
+    c.Error("a flat sheet has no curvature, also at the boundary",
       LargestMagnitude(analysis.ComputeMeanCurvatureNormals().col(2)), 0);
   }
 }

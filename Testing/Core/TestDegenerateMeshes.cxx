@@ -42,7 +42,7 @@ std::vector<std::pair<std::string, TestMesh>> DegenerateMeshes()
     { "points only", { Points::Ones(3, 3), Triangles(0, 3) } },
     { "equal points", WithEqualPoints(Icosphere(1), 20, 0) },
     { "all points equal", Transformed(Icosphere(1), 0) }, { "collinear points", collinear },
-    { "collapsed triangle", WithTriangle(Cube(), 0, 0, 1) },
+    { "degenerate triangle", WithTriangle(Cube(), 0, 0, 1) },
     { "repeated triangle", WithTriangle(Cube(), 0, 2, 1) }, { "opposite orientation", flipped },
     { "fin", WithTriangle(Cube(), 0, 1, 7) }, { "bow tie", BowTie() },
     { "Moebius strip", Moebius() }, { "tiny", Transformed(Irregular(HalfSphere(2), 0.05), 1e-20) },

@@ -202,17 +202,17 @@ void CheckFeatures(Checks& c)
 
 void CheckPasses(Checks& c)
 {
-  // Where all triangles are long, what is left of most motions makes the mesh uneven.
-  const TestMesh globe = Globe(20, 50);
+  // Where all triangles are long, what is left of most displacements makes the mesh uneven.
+  const TestMesh sphere = UvSphere(20, 50);
   double loss = 0;
-  double previous = MeasureQuality(globe.V, globe.T).mean;
+  double previous = MeasureQuality(sphere.V, sphere.T).mean;
   for (int passes = 1; passes <= 5; ++passes)
   {
     OptimizerOptions options = WithinDeviation(0.02);
     options.deviation.passes = passes;
     options.deviation.improveWorstTriangles = false;
     ProgressMonitor monitor;
-    const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+    const double mean = Optimize(sphere.V, sphere.T, options, {}, monitor).comparison.after.mean;
     loss = Larger(loss, previous - mean);
     previous = mean;
   }
@@ -220,14 +220,15 @@ void CheckPasses(Checks& c)
 }
 
 /// Gain in the mean radius ratio of a UV sphere, whose vertices have a long way to go.
-double GainOfGlobe(double deviation)
+double GainOfUvSphere(double deviation)
 {
-  const TestMesh globe = Globe(12, 30);
+  const TestMesh sphere = UvSphere(12, 30);
   OptimizerOptions options = WithinDeviation(deviation);
   options.deviation.passes = 30;
   options.deviation.improveWorstTriangles = false;
   ProgressMonitor monitor;
-  const SurfaceComparison comparison = Optimize(globe.V, globe.T, options, {}, monitor).comparison;
+  const SurfaceComparison comparison =
+    Optimize(sphere.V, sphere.T, options, {}, monitor).comparison;
   return comparison.after.mean - comparison.before->mean;
 }
 
@@ -235,8 +236,8 @@ double GainOfGlobe(double deviation)
 /// the middle of the distance, they can go on.
 void CheckCentring(Checks& c)
 {
-  c.AtLeast("a narrow distance leaves half of the gain that a wide one allows", GainOfGlobe(0.004),
-    0.5 * GainOfGlobe(0.05));
+  c.AtLeast("a narrow distance leaves half of the gain that a wide one allows",
+    GainOfUvSphere(0.004), 0.5 * GainOfUvSphere(0.05));
 }
 
 void CheckCurves(Checks& c)
@@ -259,15 +260,15 @@ void CheckCurves(Checks& c)
 
 void CheckWorstTriangles(Checks& c)
 {
-  const TestMesh globe = Globe(80, 80); // has thousands of triangles below the goals
+  const TestMesh sphere = UvSphere(80, 80); // has thousands of triangles below the goals
   OptimizerOptions options = WithinDeviation(0.01);
   ProgressMonitor monitor;
-  const double raised = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+  const double raised = Optimize(sphere.V, sphere.T, options, {}, monitor).comparison.after.mean;
   options.deviation.improveWorstTriangles = false;
-  const double mean = Optimize(globe.V, globe.T, options, {}, monitor).comparison.after.mean;
+  const double mean = Optimize(sphere.V, sphere.T, options, {}, monitor).comparison.after.mean;
   c.Error("raising the worst triangles lowers the mean by .002 at most", mean - raised, 0.002);
 
-  const TestMesh coarse = Globe(20, 50);
+  const TestMesh coarse = UvSphere(20, 50);
   const double without =
     Optimize(coarse.V, coarse.T, options, {}, monitor).comparison.after.minimum;
   options.deviation.improveWorstTriangles = true;

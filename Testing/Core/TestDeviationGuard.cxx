@@ -4,92 +4,18 @@
 // Every refusal of the guard, on displacements that no other one decides; of many vertices at once
 // and of single ones.
 #include "Checks.h"
-#include "MeshFixtures.h"
+#include "MovedVertex.h"
 
 #include "Core/Deviation/DeviationGuard.h"
-#include "Core/Deviation/TriangleValidity.h"
-#include "Core/Mesh/TriangleNeighbours.h"
 
 #include <Eigen/Geometry>
 
 #include <cmath>
-#include <numeric>
 
 using namespace lmo;
 
 namespace
 {
-/// A mesh with a candidate that differs in the position of one vertex.
-class MovedVertex
-{
-public:
-  MovedVertex(const TestMesh& mesh, Index vertex, const Vector3& position)
-    : MovedVertex(mesh, mesh.V, vertex, position)
-  {
-  }
-
-  /// \param accepted the positions before
-  MovedVertex(const TestMesh& mesh, const Points& accepted, Index vertex, const Vector3& position)
-    : T(mesh.T)
-    , Accepted(accepted)
-    , Candidate(accepted)
-    , Topology(BuildTopology(Index(mesh.V.rows()), mesh.T))
-    , Neighbours(FindTriangleNeighbours(this->T, this->Topology))
-    , Validity(this->Accepted, this->Candidate, this->T, this->Topology, this->Neighbours)
-  {
-    this->Candidate.row(vertex) = position;
-    std::vector<Index> all(this->T.rows());
-    std::iota(all.begin(), all.end(), 0);
-    this->Validity.Update(all);
-  }
-
-  Index Inverted() const
-  {
-    return this->Count([this](Index t) { return this->Validity.IsInverted(t); });
-  }
-
-private:
-  template <typename Condition>
-  Index Count(const Condition& condition) const
-  {
-    Index count = 0;
-    for (Index t = 0; t < this->T.rows(); ++t)
-    {
-      count += condition(t);
-    }
-    return count;
-  }
-
-  const Triangles T;
-  const Points Accepted;
-  Points Candidate;
-  const MeshTopology Topology;
-  const Triangles Neighbours;
-  TriangleValidity Validity;
-};
-
-/// The vertex in the middle of a flat ring of six equilateral triangles with unit edges is 0.
-TestMesh Hexagon()
-{
-  TestMesh mesh{ Points::Zero(7, 3), Triangles(6, 3) };
-  for (int k = 0; k < 6; ++k)
-  {
-    const double angle = k * std::acos(0.5);
-    mesh.V.row(k + 1) << std::cos(angle), std::sin(angle), 0;
-    mesh.T.row(k) << 0, k + 1, (k + 1) % 6 + 1;
-  }
-  return mesh;
-}
-
-/// Two triangles with the edge from (0, 0, 0) to (0, 1, 0), one of them flat at x < 0.
-TestMesh Hinge()
-{
-  TestMesh mesh{ Points(4, 3), Triangles(2, 3) };
-  mesh.V << 0, 0, 0, 0, 1, 0, -1, 0.5, 0, 1, 0.5, 0;
-  mesh.T << 0, 1, 2, 1, 0, 3;
-  return mesh;
-}
-
 /// A guard over a mesh of its own.
 class GuardedMesh
 {

@@ -52,7 +52,7 @@ Case Positions(const TestMesh& mesh, Random& random)
   problem.laplacian.L = OperatorFixtures(mesh).uniform;
   problem.laplacian.weights = Vector::Zero(n);
   problem.laplacian.target = std::make_shared<const Points>(Points::Zero(n, 3));
-  problem.motion.freedom.assign(n, DisplacementConstraints::FREE);
+  problem.constraints.freedom.assign(n, DisplacementConstraints::FREE);
   const Vector weights = problem.position.weights;
   return { "positions", problem,
     [=](const Points& x) { return (weights.asDiagonal() * (x - mesh.V)).squaredNorm(); } };
@@ -163,12 +163,12 @@ Case With(Case all, const std::string& name, const AddTerm& add)
 }
 
 /// Some vertices fixed, on lines and in planes.
-void Constrain(Random& random, DisplacementConstraints& motion)
+void Constrain(Random& random, DisplacementConstraints& constraints)
 {
-  motion.axes = UnitRows(random, static_cast<Eigen::Index>(motion.freedom.size()));
-  for (std::size_t i = 0; i < motion.freedom.size(); ++i)
+  constraints.axes = UnitRows(random, static_cast<Eigen::Index>(constraints.freedom.size()));
+  for (std::size_t i = 0; i < constraints.freedom.size(); ++i)
   {
-    motion.freedom[i] = static_cast<unsigned char>(i % 5 < 3 ? i % 5 : 3);
+    constraints.freedom[i] = static_cast<unsigned char>(i % 5 < 3 ? i % 5 : 3);
   }
 }
 
@@ -196,7 +196,7 @@ std::vector<Case> AllCases(const TestMesh& mesh)
   {
     cases.push_back(cases[k]);
     cases.back().name += " with constraints";
-    Constrain(random, cases.back().problem.motion);
+    Constrain(random, cases.back().problem.constraints);
   }
   return cases;
 }
@@ -206,7 +206,7 @@ Points Allowed(const LeastSquaresProblem& problem, Points d)
 {
   for (Index i = 0; i < problem.Size(); ++i)
   {
-    d.row(i) = problem.motion.Project(i, d.row(i));
+    d.row(i) = problem.constraints.Project(i, d.row(i));
   }
   return d;
 }
@@ -279,10 +279,10 @@ double DiagonalError(const LeastSquaresProblem& problem)
     for (int c = 0; c < 3; ++c)
     {
       Points d = Points::Zero(problem.Size(), 3);
-      d.row(i) = problem.motion.Project(i, Vector3::Unit(c));
+      d.row(i) = problem.constraints.Project(i, Vector3::Unit(c));
       const Vector3 expected = Product(problem, d).row(i);
       const Vector3 row = block.isotropic * d.row(i) + d.row(i) * block.coupled;
-      error = Larger((problem.motion.Project(i, row) - expected).norm(), error);
+      error = Larger((problem.constraints.Project(i, row) - expected).norm(), error);
     }
   }
   return error;

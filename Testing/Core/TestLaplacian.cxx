@@ -166,25 +166,26 @@ void CheckDegenerateMeshes(Checks& c)
     LargestMagnitude(DenseMatrix(OperatorFixtures(WithIsolatedPoint(Cube())).uniform).row(0)), 0);
 }
 
-/// The soft edge weights of one triangle; null if there are none.
-std::shared_ptr<const Vector> SoftWeights(const Vector3& a, const Vector3& b, const Vector3& c)
+/// The clamped edge weights of one triangle; null if there are none.
+std::shared_ptr<const Vector> ClampedWeights(const Vector3& a, const Vector3& b, const Vector3& c)
 {
   TestMesh mesh = EquilateralTriangle();
   mesh.V << a, b, c;
   const MeshQuantities quantities(mesh.V, mesh.T);
-  return CotangentWeights(quantities).GetSoftEdgeWeights();
+  return CotangentWeights(quantities).GetClampedEdgeWeights();
 }
 
-void CheckSoftWeights(Checks& c)
+void CheckClampedWeights(Checks& c)
 {
   // Cotangents 0, 700 and 1 / 700 across the edges bc, ab and ca.
-  const auto soft = SoftWeights({ 0, 0, 0 }, { 0, 1, 0 }, { 700, 0, 0 });
-  c.True("a needle has soft weights", soft != nullptr);
-  c.Error("the soft weight of a needle's short edge is 70", std::abs(soft->maxCoeff() - 70), 1e-12);
+  const auto clamped = ClampedWeights({ 0, 0, 0 }, { 0, 1, 0 }, { 700, 0, 0 });
+  c.True("a needle has clamped weights", clamped != nullptr);
   c.Error(
-    "the others are as many times smaller", std::abs(soft->sum() - 2 * (70 + 1.0 / 7000)), 1e-12);
-  c.True("a cap has none", !SoftWeights({ -1, 0, 0 }, { 0, -0.001, 0 }, { 1, 0, 0 }));
-  c.True("a regular triangle has none", !SoftWeights({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0.9, 0 }));
+    "the clamped weight of a needle's short edge is 70", std::abs(clamped->maxCoeff() - 70), 1e-12);
+  c.Error("the others are as many times smaller", std::abs(clamped->sum() - 2 * (70 + 1.0 / 7000)),
+    1e-12);
+  c.True("a cap has none", !ClampedWeights({ -1, 0, 0 }, { 0, -0.001, 0 }, { 1, 0, 0 }));
+  c.True("a regular triangle has none", !ClampedWeights({ 0, 0, 0 }, { 1, 0, 0 }, { 0.5, 0.9, 0 }));
 }
 
 void CheckLengthScale(Checks& c)
@@ -232,7 +233,7 @@ int TestLaplacian(int argc, char* argv[])
   groups.Run("HandDerivedEntries", CheckHandDerivedEntries);
   groups.Run("FlatMeshes", CheckFlatMeshes);
   groups.Run("DegenerateMeshes", CheckDegenerateMeshes);
-  groups.Run("SoftWeights", CheckSoftWeights);
+  groups.Run("ClampedWeights", CheckClampedWeights);
   groups.Run("LengthScale", CheckLengthScale);
   return groups.Result();
 }

@@ -22,15 +22,15 @@ OptimizerOptions WithBoundary(Mode mode, BoundaryCondition condition)
   return options;
 }
 
-/// Largest motion of the vertices that are tagged.
-double Motion(const TestMesh& mesh, const Points& moved, const std::vector<bool>& isTagged)
+/// Largest displacement of the vertices that are tagged.
+double Displacement(const TestMesh& mesh, const Points& moved, const std::vector<bool>& isTagged)
 {
-  double motion = 0;
+  double displacement = 0;
   for (Eigen::Index i = 0; i < moved.rows(); ++i)
   {
-    motion = Larger(motion, isTagged[i] ? (moved.row(i) - mesh.V.row(i)).norm() : 0);
+    displacement = Larger(displacement, isTagged[i] ? (moved.row(i) - mesh.V.row(i)).norm() : 0);
   }
-  return motion;
+  return displacement;
 }
 
 double MeanQuality(const Points& V, const Triangles& triangles)
@@ -51,8 +51,8 @@ void CheckHeldVertices(Checks& c)
   for (const Mode mode : AllModes)
   {
     OptimizerOptions options = Options(mode);
-    c.Error(
-      "fixed points do not move", Motion(mesh, Run(mesh, options, arrays).positions, isTagged), 0);
+    c.Error("fixed points do not move",
+      Displacement(mesh, Run(mesh, options, arrays).positions, isTagged), 0);
     c.Error("isolated points do not move",
       (Run(isolated, options).positions.row(0) - isolated.V.row(0)).norm(), 0);
     c.Error("isolated points do not count",
@@ -97,8 +97,8 @@ void CheckBoundaries(Checks& c)
   for (const Mode mode : AllModes)
   {
     OptimizerOptions options = WithBoundary(mode, BoundaryCondition::FIXED);
-    c.Error(
-      "a fixed boundary does not move", Motion(grid, Run(grid, options).positions, isBoundary), 0);
+    c.Error("a fixed boundary does not move",
+      Displacement(grid, Run(grid, options).positions, isBoundary), 0);
 
     options = WithBoundary(mode, BoundaryCondition::SLIDING);
     options.scaleFactor = 0.1;
@@ -106,17 +106,18 @@ void CheckBoundaries(Checks& c)
     c.Error("sliding vertices stay on a straight boundary", OffBoundary(grid, slid), 1e-15);
     c.Error("sliding vertices stay on a curved boundary",
       OffBoundary(half, Run(half, options).positions), 1e-15);
-    c.Error("corners of a sliding boundary do not move", Motion(grid, slid, isCorner), 0);
+    c.Error("corners of a sliding boundary do not move", Displacement(grid, slid, isCorner), 0);
     c.Error("sliding vertices spread evenly, to edges of length 1",
       BoundaryEnergy(grid, slid) / 32 - 1, 0.1 * (BoundaryEnergy(grid, grid.V) / 32 - 1));
 
     options = WithBoundary(mode, BoundaryCondition::FREE);
-    c.Greater("a free boundary moves", Motion(grid, Run(grid, options).positions, isCorner), 0.01);
+    c.Greater(
+      "a free boundary moves", Displacement(grid, Run(grid, options).positions, isCorner), 0.01);
   }
 }
 
-/// Motion of a mesh whose own Laplacians are prescribed.
-double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
+/// Displacement of a mesh whose own Laplacians are prescribed.
+double DisplacementWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
 {
   const OperatorFixtures operators(mesh);
   Laplacian L = operators.uniform;
@@ -137,16 +138,16 @@ double MotionWithOwnLaplacians(const TestMesh& mesh, LaplacianType type)
 void CheckFixedPointsOfTheEquations(Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(2), 0.05);
-  c.Error(
-    "the mesh's own L_u V keeps it", MotionWithOwnLaplacians(mesh, LaplacianType::UNIFORM), 1e-14);
-  c.Error("the mesh's own L_c V keeps it", MotionWithOwnLaplacians(mesh, LaplacianType::COTANGENT),
-    1e-14);
+  c.Error("the mesh's own L_u V keeps it",
+    DisplacementWithOwnLaplacians(mesh, LaplacianType::UNIFORM), 1e-14);
+  c.Error("the mesh's own L_c V keeps it",
+    DisplacementWithOwnLaplacians(mesh, LaplacianType::COTANGENT), 1e-14);
   c.Error("the mesh's own L_ck V keeps it",
-    MotionWithOwnLaplacians(mesh, LaplacianType::MEAN_CURVATURE), 1e-14);
+    DisplacementWithOwnLaplacians(mesh, LaplacianType::MEAN_CURVATURE), 1e-14);
   for (const double unit : { 1e-3, 100. })
   {
     c.Error("the mesh's own L_ck V keeps it in another unit",
-      MotionWithOwnLaplacians(Transformed(mesh, unit), LaplacianType::MEAN_CURVATURE),
+      DisplacementWithOwnLaplacians(Transformed(mesh, unit), LaplacianType::MEAN_CURVATURE),
       1e-13 * unit);
   }
 
@@ -188,8 +189,9 @@ void CheckEffects(Checks& c)
   planes.tangentPlaneWeight = 1e6;
   const Points d = Run(noisy, planes).positions - noisy.V;
   const Points n = Apply(OperatorFixtures(noisy).meanCurvature, noisy.V).rowwise().normalized();
-  c.Greater("tangent planes leave room for motion", MaximumDistance(d, Points::Zero(642, 3)), 0.01);
-  c.Error("strong tangent planes stop motion along the normal",
+  c.Greater(
+    "tangent planes leave room for a displacement", MaximumDistance(d, Points::Zero(642, 3)), 0.01);
+  c.Error("strong tangent planes stop a displacement along the normal",
     LargestMagnitude((d.array() * n.array()).rowwise().sum()), 1e-10);
 }
 

@@ -34,7 +34,7 @@ struct System
     this->problem = MakePlan(CotangentQuantities(quantities, false), options, {}, monitor).problem;
     this->A = std::make_unique<NormalOperator<float>>(this->problem);
     this->matrix = std::make_shared<const ShiftedStiffness>(
-      this->problem, this->A->GetStiffness(), this->problem.laplacian.softEdgeWeights);
+      this->problem, this->A->GetStiffness(), this->problem.laplacian.clampedEdgeWeights);
   }
 };
 
@@ -188,25 +188,25 @@ void CheckNeedles(Checks& c)
   SolverOptions options;
   options.tolerance = 1e-9;
   options.maximumIterations = 1000;
-  const Solution soft = IterateSquared<Multigrid>(system, options);
+  const Solution clamped = IterateSquared<Multigrid>(system, options);
   ProgressMonitor monitor;
-  c.Error("soft weights do not change the solution",
-    MaximumDistance(soft.displacement, SolveDirectly(system.problem, monitor)), 1e-6);
-  const Solution softlyFactorised = IterateSquared<ShiftedCholesky>(system, options);
+  c.Error("clamped weights do not change the solution",
+    MaximumDistance(clamped.displacement, SolveDirectly(system.problem, monitor)), 1e-6);
+  const Solution clampedFactorised = IterateSquared<ShiftedCholesky>(system, options);
   system.matrix =
     std::make_shared<const ShiftedStiffness>(system.problem, system.A->GetStiffness());
   const Solution exact = IterateSquared<Multigrid>(system, options);
   const Solution factorised = IterateSquared<ShiftedCholesky>(system, options);
-  c.AtMost("soft weights save multigrid a third of the iterations", 3 * soft.iterations,
+  c.AtMost("clamped weights save multigrid a third of the iterations", 3 * clamped.iterations,
     2 * exact.iterations);
   c.AtMost("exact weights save a factorisation a third of the iterations",
-    3 * factorised.iterations, 2 * softlyFactorised.iterations);
+    3 * factorised.iterations, 2 * clampedFactorised.iterations);
 }
 
 /// Poles with 1100 neighbours.
-void CheckHubs(Checks& c)
+void CheckHighValence(Checks& c)
 {
-  System system(Irregular(Globe(1100, 40), 1e-4), Smoothing(LaplacianType::UNIFORM, 0.01));
+  System system(Irregular(UvSphere(1100, 40), 1e-4), Smoothing(LaplacianType::UNIFORM, 0.01));
   const Mask& isLeftOut = system.matrix->isLeftOut;
   c.True("poles, and nothing else, are left out of K + R",
     isLeftOut.back() && std::count(isLeftOut.begin(), isLeftOut.end(), true) == 2);
@@ -337,7 +337,7 @@ int TestPreconditioners(int argc, char* argv[])
   groups.Run("CotangentSolutions", CheckCotangentSolutions);
   groups.Run("MeanCurvatureSolutions", CheckMeanCurvatureSolutions);
   groups.Run("Needles", CheckNeedles);
-  groups.Run("Hubs", CheckHubs);
+  groups.Run("HighValence", CheckHighValence);
   groups.Run("Elimination", CheckElimination);
   groups.Run("ThinTriangles", CheckThinTriangles);
   groups.Run("Prediction", CheckPrediction);

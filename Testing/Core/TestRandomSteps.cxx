@@ -74,12 +74,12 @@ bool IsWithin(const TestMesh& mesh, const TestMesh& other, double distance)
 }
 
 /// Triangles that name a vertex twice are no part of the surface.
-TestMesh WithoutCollapsed(const TestMesh& mesh)
+TestMesh WithoutDegenerate(const TestMesh& mesh)
 {
   std::vector<Eigen::Index> kept;
   for (Eigen::Index t = 0; t < mesh.T.rows(); ++t)
   {
-    if (!IsCollapsed(mesh.T, static_cast<Index>(t)))
+    if (!IsDegenerate(mesh.T, static_cast<Index>(t)))
     {
       kept.push_back(t);
     }
@@ -91,7 +91,7 @@ void CheckDeviation(const Sample& sample, const OptimizerResult& result, Finding
 {
   const double bound = result.deviation.relativeBound;
   findings.AddIf(!(bound <= sample.options.deviation.maximum), "the deviation is too large");
-  const TestMesh before = WithoutCollapsed(sample.mesh);
+  const TestMesh before = WithoutDegenerate(sample.mesh);
   const TestMesh after{ result.positions, before.T };
   const MeshQuantities mesh(sample.mesh.V, sample.mesh.T);
   const double distance = (bound + 1e-12) * mesh.GetDiagonal();

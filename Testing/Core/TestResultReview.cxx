@@ -51,8 +51,8 @@ void CheckQualityWarnings(Checks& c)
   SurfaceComparison worse = Harmless();
   worse.after.mean = 0.75;
   const std::string text = Damage(Mode::OPTIMIZE_TRIANGLES, worse);
-  c.True("a fall of the mean radius ratio is told with both figures",
-    Has(text, "fell from 0.8 to 0.75"));
+  c.True(
+    "a fall of the mean radius ratio is told with both values", Has(text, "fell from 0.8 to 0.75"));
   c.True("its remedy is the mode with a guarantee", Has(text, "OPTIMIZE_WITHIN_DEVIATION"));
   c.True("smoothing may lower the mean radius ratio", Damage(Mode::SMOOTH, worse).empty());
   c.True(

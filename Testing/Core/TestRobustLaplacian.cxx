@@ -99,8 +99,8 @@ double LeastWeight(const Laplacian& L)
   return L.edgeWeights->size() > 0 ? L.edgeWeights->minCoeff() : 0;
 }
 
-/// Largest |L x| of the coordinates x, at vertices ten cells from the border and more: flips go
-/// around the border to the back of the surface, where x is mirrored.
+/// Largest |L x| of the coordinates x, at vertices ten cells from the boundary and more: flips go
+/// around the boundary to the back of the surface, where x is mirrored.
 double DeepLaplacian(const TestMesh& grid, const Laplacian& L)
 {
   const Points Lx = Apply(L, grid.V);

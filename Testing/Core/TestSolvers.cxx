@@ -192,7 +192,7 @@ void CheckNearlySingularSystem(Checks& c)
   }
 }
 
-/// One hub of a fan: its row squared has more entries than memory.
+/// The centre of a fan: its row squared has more entries than memory.
 void CheckDenseSystem(Checks& c)
 {
   const Index valence = 5000;

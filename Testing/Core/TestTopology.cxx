@@ -101,10 +101,10 @@ void CheckHandMadeMeshes(Checks& c)
     "the edge of three triangles is no boundary", AreListed(wings.boundaryEdges, 0, { 2, 3, 4 }));
   c.True("the corners at an edge of three triangles are no fan", !wings.isFan[0]);
 
-  const MeshTopology collapsed = Topology(WithTriangle(WithIsolatedPoint(Cube()), 0, 0, 5));
-  c.True("a collapsed triangle has no neighbours",
-    collapsed.oneRings.Size(0) == 0 && collapsed.cornersAt.Size(0) == 0 && !collapsed.isUsed[0]);
-  c.True("a collapsed triangle opens no surface", collapsed.IsClosed());
+  const MeshTopology degenerate = Topology(WithTriangle(WithIsolatedPoint(Cube()), 0, 0, 5));
+  c.True("a degenerate triangle has no neighbours",
+    degenerate.oneRings.Size(0) == 0 && degenerate.cornersAt.Size(0) == 0 && !degenerate.isUsed[0]);
+  c.True("a degenerate triangle opens no surface", degenerate.IsClosed());
 }
 
 void CheckClosedness(Checks& c)

@@ -101,11 +101,11 @@ void CheckOtherWeights(Checks& c)
 Vector Held(const Vector& weights, const Mask& isFixed)
 {
   Vector held = weights;
-  HoldLooseComponents({ 0, 0, 1, 1, 0 }, isFixed, 7, held);
+  WeightUnconstrainedComponents({ 0, 0, 1, 1, 0 }, isFixed, 7, held);
   return held;
 }
 
-void CheckLooseComponents(Checks& c)
+void CheckUnconstrainedComponents(Checks& c)
 {
   const Mask none(5, 0);
   c.Error("a component without weights is held",
@@ -191,7 +191,7 @@ int TestWeights(int argc, char* argv[])
   groups.Run("Statistics", CheckStatistics);
   groups.Run("LinearWeights", CheckLinearWeights);
   groups.Run("OtherWeights", CheckOtherWeights);
-  groups.Run("LooseComponents", CheckLooseComponents);
+  groups.Run("UnconstrainedComponents", CheckUnconstrainedComponents);
   groups.Run("SharpVertices", CheckSharpVertices);
   groups.Run("SharpFeatures", CheckSharpFeatures);
   return groups.Result();

@@ -223,7 +223,7 @@ Data WithArrayOfNaN()
 }
 
 /// Two components, of which one has no positive weight.
-Data WithLooseComponent()
+Data WithUnconstrainedComponent()
 {
   Data data = MakePolyData(TwoComponents());
   Vector weights = Vector::Zero(data->GetNumberOfPoints());
@@ -333,7 +333,7 @@ void AddTopologies(Collection& c)
 void AddArrays(Collection& c)
 {
   c.AddGood("an array of NaN that is not chosen", WithArrayOfNaN());
-  c.AddGood("a component without weights", WithLooseComponent());
+  c.AddGood("a component without weights", WithUnconstrainedComponent());
   c.AddGood("weights of 0 everywhere", WithoutWeights());
 }
 }

@@ -95,7 +95,7 @@ std::string FaultOfResult(vtkLaplacianMeshOptimizer* filter, const Messages& mes
   if (std::abs(displacement - filter->GetMaximumDisplacement()) > 1e-12 * displacement ||
       !std::isfinite(filter->GetRelativeVolumeChange()))
   {
-    return "the figures do not fit the points";
+    return "the metrics do not fit the points";
   }
   if (hasPasses)
   {

@@ -49,27 +49,28 @@ double DistanceToEdges(vtkPolyData* edges, const Vector3& point)
 }
 
 /// How far the points on the boundary are from it afterwards, and how far they moved.
-struct BoundaryMotion
+struct BoundaryDisplacement
 {
   double offBoundary = 0;
   double moved = 0;
 };
 
-BoundaryMotion MeasureBoundary(vtkPolyData* input, vtkPolyData* output)
+BoundaryDisplacement MeasureBoundary(vtkPolyData* input, vtkPolyData* output)
 {
   const auto boundary = BoundaryOf(input);
   const Points before = PointsOf(input);
   const Points after = PointsOf(output);
-  BoundaryMotion motion;
+  BoundaryDisplacement displacement;
   for (Eigen::Index i = 0; i < before.rows(); ++i)
   {
     if (DistanceToEdges(boundary, before.row(i)) == 0)
     {
-      motion.offBoundary = Larger(motion.offBoundary, DistanceToEdges(boundary, after.row(i)));
-      motion.moved = Larger(motion.moved, (after.row(i) - before.row(i)).norm());
+      displacement.offBoundary =
+        Larger(displacement.offBoundary, DistanceToEdges(boundary, after.row(i)));
+      displacement.moved = Larger(displacement.moved, (after.row(i) - before.row(i)).norm());
     }
   }
-  return motion;
+  return displacement;
 }
 
 vtkSmartPointer<vtkPolyData> Smoothed(vtkPolyData* input, int boundaryCondition)
@@ -95,12 +96,13 @@ void CheckConditions(Checks& c)
   c.Error("SLIDING: boundary points stay on the boundary",
     MeasureBoundary(input, sliding).offBoundary, 1e-6);
   c.Greater("SLIDING: boundary points move", MeasureBoundary(input, sliding).moved, 0.01);
-  double cornerMotion = 0;
+  double cornerDisplacement = 0;
   for (const int corner : { 0, 12, 156, 168 })
   {
-    cornerMotion = Larger(cornerMotion, (PointsOf(sliding) - PointsOf(input)).row(corner).norm());
+    cornerDisplacement =
+      Larger(cornerDisplacement, (PointsOf(sliding) - PointsOf(input)).row(corner).norm());
   }
-  c.Error("SLIDING: corners of the boundary do not move", cornerMotion, 0);
+  c.Error("SLIDING: corners of the boundary do not move", cornerDisplacement, 0);
 
   const auto free = Smoothed(input, Optimizer::FREE);
   c.Greater(

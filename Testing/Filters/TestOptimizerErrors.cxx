@@ -241,7 +241,7 @@ void CheckArrays(Checks& c)
   CheckNoArray(c, "prescribed Laplacians", prescribed);
 }
 
-/// One process that is asked for a piece would tear the surface at the borders.
+/// One process that is asked for a piece would tear the surface at the boundaries.
 void CheckPieces(Checks& c)
 {
   vtkNew<Optimizer> filter;

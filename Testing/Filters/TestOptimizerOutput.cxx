@@ -97,7 +97,7 @@ void CheckRadiusRatios(Checks& c)
 
 void CheckGetters(Checks& c, Optimizer* filter)
 {
-  const std::pair<const char*, double> figures[] = { { "MeanRadiusRatio",
+  const std::pair<const char*, double> metrics[] = { { "MeanRadiusRatio",
                                                        filter->GetMeanRadiusRatio() },
     { "MinimumRadiusRatio", filter->GetMinimumRadiusRatio() },
     { "InputMeanRadiusRatio", filter->GetInputMeanRadiusRatio() },
@@ -108,7 +108,7 @@ void CheckGetters(Checks& c, Optimizer* filter)
     { "FlippedTriangles", double(filter->GetFlippedTriangles()) },
     { "Iterations", double(filter->GetIterations()) },
     { "RelativeResidual", filter->GetRelativeResidual() } };
-  for (const auto& [name, value] : figures)
+  for (const auto& [name, value] : metrics)
   {
     c.Equal(std::string("the field array is what the getter returns: ") + name,
       FieldValue(filter->GetOutput(), name), value);
@@ -135,7 +135,7 @@ void CheckProofs(Checks& c)
   }
 }
 
-void CheckFigures(Checks& c)
+void CheckMetrics(Checks& c)
 {
   const TestMesh sphere = Irregular(Icosphere(3), 0.02);
   const auto input = MakePolyData(sphere);
@@ -169,7 +169,7 @@ void CheckFigures(Checks& c)
 
   filter->SetScaleFactor(0.2);
   filter->UpdateInformation();
-  c.True("figures are undefined when the output is out of date",
+  c.True("metrics are undefined when the output is out of date",
     filter->GetMeanRadiusRatio() == -1 && filter->GetMaximumDisplacement() == 0);
 }
 
@@ -211,7 +211,7 @@ int TestOptimizerOutput(int argc, char* argv[])
   groups.Run("RadiusRatios", CheckRadiusRatios);
   groups.Run("OpenSurface", CheckOpenSurface);
   groups.Run("Proofs", CheckProofs);
-  groups.Run("Figures", CheckFigures);
+  groups.Run("Metrics", CheckMetrics);
   groups.Run("Flips", CheckFlips);
   return groups.Result();
 }

@@ -138,7 +138,7 @@ vtkSmartPointer<vtkPolyData> WithAllKinds()
   return input;
 }
 
-/// The number of points more than an edge away from the border between the halves that have the
+/// The number of points more than an edge away from the boundary between the halves that have the
 /// label of the other one.
 int WrongLabels(vtkPolyData* output)
 {

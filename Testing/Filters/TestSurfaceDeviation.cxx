@@ -132,12 +132,12 @@ void CheckDegenerateTriangles(Checks& c)
     1e-15);
   c.Error("a line is on itself", Measure(line, line).hausdorff, 1e-15);
   const TestMesh cross = WithTriangle(CrossRing(), 1, 1, 2);
-  c.Error("collapsed triangles do not count", Measure(cross, CrossRing()).hausdorff, 1e-15);
+  c.Error("degenerate triangles do not count", Measure(cross, CrossRing()).hausdorff, 1e-15);
 
-  TestMesh collapsed = triangle;
-  collapsed.T << 0, 0, 1;
-  const Deviation deviation = Measure(collapsed, collapsed);
-  c.True("collapsed triangles alone do no harm", !(deviation.hausdorff > 0));
+  TestMesh degenerate = triangle;
+  degenerate.T << 0, 0, 1;
+  const Deviation deviation = Measure(degenerate, degenerate);
+  c.True("degenerate triangles alone do no harm", !(deviation.hausdorff > 0));
 }
 
 void CheckOtherInput(Checks& c)

@@ -83,7 +83,7 @@ def coordinates(surface):
     return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)
 
 
-def figure(surface, name):
+def metric(surface, name):
     return surface.GetFieldData().GetArray(name).GetValue(0)
 
 
@@ -115,9 +115,9 @@ class Isosurface(unittest.TestCase):
         displacement = vtk_to_numpy(
             fetched(self.optimizer).GetPointData().GetArray("Displacement")
         )
-        border = np.linalg.norm(displacement[first[copies > 1]], axis=1)
-        self.assertGreater(len(border), 0)
-        self.assertGreater(np.median(border), 0)
+        boundary = np.linalg.norm(displacement[first[copies > 1]], axis=1)
+        self.assertGreater(len(boundary), 0)
+        self.assertGreater(np.median(boundary), 0)
 
     def test_the_result_is_that_of_one_process(self):
         # Constant weights: equal curvatures, of which this surface is full, are ranked by chance.
@@ -152,8 +152,8 @@ class Isosurface(unittest.TestCase):
         after = merged(self.optimizer)
         quality = vtk_to_numpy(after.GetCellData().GetArray("RadiusRatio"))
         after = servermanager.Fetch(self.optimizer)
-        self.assertAlmostEqual(figure(after, "MeanRadiusRatio"), quality.mean(), 6)
-        self.assertAlmostEqual(figure(after, "MinimumRadiusRatio"), quality.min(), 6)
+        self.assertAlmostEqual(metric(after, "MeanRadiusRatio"), quality.mean(), 6)
+        self.assertAlmostEqual(metric(after, "MinimumRadiusRatio"), quality.min(), 6)
 
 
 def main():

@@ -207,7 +207,7 @@ def point_array(proxy, name):
     return vtk_to_numpy(fetched(proxy).GetPointData().GetArray(name))
 
 
-def figure(proxy, name):
+def metric(proxy, name):
     return fetched(proxy).GetFieldData().GetArray(name).GetValue(0)
 
 
@@ -401,20 +401,20 @@ class OptimizerEffects(unittest.TestCase):
         surface = half_sphere()
         direct = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", SolverType="Direct")
         iterative = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", SolverType="Iterative")
-        self.assertEqual(figure(direct, "Iterations"), 0)
-        self.assertGreater(figure(iterative, "Iterations"), 0)
+        self.assertEqual(metric(direct, "Iterations"), 0)
+        self.assertGreater(metric(iterative, "Iterations"), 0)
 
     def test_tolerance(self):
         surface = half_sphere()
         coarse = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", Tolerance=1e-2)
         fine = LaplacianMeshOptimizer(Input=surface, Mode="Optimize Triangles", Tolerance=1e-10)
-        self.assertLess(figure(coarse, "Iterations"), figure(fine, "Iterations"))
+        self.assertLess(metric(coarse, "Iterations"), metric(fine, "Iterations"))
 
     def test_maximum_number_of_iterations(self):
         optimizer = LaplacianMeshOptimizer(
             Input=half_sphere(), Mode="Optimize Triangles", MaximumNumberOfIterations=1
         )
-        self.assertEqual(figure(optimizer, "Iterations"), 1)
+        self.assertEqual(metric(optimizer, "Iterations"), 1)
 
     def test_compute_normals(self):
         surface = half_sphere()
@@ -433,8 +433,8 @@ class OtherFilters(unittest.TestCase):
     def test_triangle_radius_ratio(self):
         quality = TriangleRadiusRatio(Input=Sphere())
         ratios = vtk_to_numpy(fetched(quality).GetCellData().GetArray("RadiusRatio"))
-        self.assertAlmostEqual(ratios.mean(), figure(quality, "MeanRadiusRatio"), delta=1e-12)
-        self.assertEqual(ratios.min(), figure(quality, "MinimumRadiusRatio"))
+        self.assertAlmostEqual(ratios.mean(), metric(quality, "MeanRadiusRatio"), delta=1e-12)
+        self.assertEqual(ratios.min(), metric(quality, "MinimumRadiusRatio"))
 
     def test_surface_deviation_of_two_inputs(self):
         low, high = (Plane(Origin=[0, 0, z], Point1=[1, 0, z], Point2=[0, 1, z]) for z in (0, 0.25))
@@ -442,8 +442,8 @@ class OtherFilters(unittest.TestCase):
             Input=Triangulate(Input=low), Reference=Triangulate(Input=high), NumberOfSamples=100
         )
         self.assertEqual(deviation.NumberOfSamples, 100)
-        self.assertAlmostEqual(figure(deviation, "HausdorffDistance"), 0.25)
-        self.assertAlmostEqual(figure(deviation, "MeanDistance"), 0.25)
+        self.assertAlmostEqual(metric(deviation, "HausdorffDistance"), 0.25)
+        self.assertAlmostEqual(metric(deviation, "MeanDistance"), 0.25)
         self.assertTrue(np.allclose(point_array(deviation, "Distance"), 0.25))
 
 
@@ -455,7 +455,7 @@ class Results(unittest.TestCase):
             optimizer.UpdatePipeline()
             optimizer.UpdatePropertyInformation()
             for name in names:
-                self.assertEqual(getattr(optimizer, name), figure(optimizer, name), name)
+                self.assertEqual(getattr(optimizer, name), metric(optimizer, name), name)
 
     def test_old_figures_are_not_shown_for_new_properties(self):
         optimizer = LaplacianMeshOptimizer(Input=Sphere())
@@ -578,7 +578,7 @@ class Inputs(unittest.TestCase):
         contour = Contour(Input=Wavelet(), ContourBy=["POINTS", "RTData"], Isosurfaces=[157.09])
         optimizer = LaplacianMeshOptimizer(Input=contour)
         self.assertGreater(
-            figure(optimizer, "MeanRadiusRatio"), figure(optimizer, "InputMeanRadiusRatio") + 0.1
+            metric(optimizer, "MeanRadiusRatio"), metric(optimizer, "InputMeanRadiusRatio") + 0.1
         )
         self.assertEqual(points(optimizer).dtype, points(contour).dtype)
 

@@ -66,7 +66,7 @@ using SetUp = std::function<void(vtkLaplacianMeshOptimizer*)>;
 vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& setUp);
 
 /// The largest differences between a piece and the whole surface: of coordinates and displacements
-/// relative to the diagonal, of curvatures relative to the largest, of figures relative to 1 or
+/// relative to the diagonal, of curvatures relative to the largest, of metrics relative to 1 or
 /// their size, and of the other arrays.
 double DifferenceFromWhole(const PieceOfMesh& piece, vtkPolyData* output, vtkPolyData* whole);
 

@@ -43,7 +43,7 @@ std::vector<Case> PositionWeightingCases()
           weighting == Optimizer::ANCHORS ? "Anchor" : "Weight");
       } });
   }
-  cases.push_back({ "weights that leave components loose", [](Optimizer* filter)
+  cases.push_back({ "weights that leave components unconstrained", [](Optimizer* filter)
     {
       filter->SetPositionWeighting(Optimizer::ARRAY);
       Choose(filter, Optimizer::POSITION_WEIGHT_ARRAY, "Zero");

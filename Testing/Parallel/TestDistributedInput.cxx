@@ -90,7 +90,7 @@ void CheckNormals(MpiJob& job, Checks& c)
   normals->SplittingOff();
   normals->ConsistencyOff();
   normals->Update();
-  c.Error("normals are computed over the borders",
+  c.Error("normals are computed over the boundaries",
     DifferenceOf(job, normals->GetOutput(), Sectors(mesh)), 1e-6);
 }
 
@@ -106,7 +106,7 @@ void CheckEmpty(MpiJob& job, Checks& c)
     job.Largest(std::abs(FieldValue(filter->GetOutput(), "MeanRadiusRatio") + 1)), 0);
 }
 
-void CheckCopies(MpiJob& job, Checks& c)
+void CheckGhosts(MpiJob& job, Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(3), 0.02);
   const auto whole = MakePolyData(mesh);
@@ -124,7 +124,7 @@ void CheckCopies(MpiJob& job, Checks& c)
       difference = std::max(difference, job.Largest(x) + job.Largest(y));
     }
   }
-  c.Error("the copies of a point are identical", difference, 0);
+  c.Error("the ghosts of a point are identical", difference, 0);
 }
 
 void CheckSecondExecution(MpiJob& job, Checks& c)
@@ -167,7 +167,7 @@ int TestDistributedInput(int argc, char* argv[])
   CheckCoincidentPoints(job, c);
   CheckNormals(job, c);
   CheckEmpty(job, c);
-  CheckCopies(job, c);
+  CheckGhosts(job, c);
   CheckSecondExecution(job, c);
   return c.Result();
 }

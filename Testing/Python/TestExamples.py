@@ -56,7 +56,7 @@ class Examples(unittest.TestCase):
             return common.read_mesh(files[1])
 
     def assert_better_triangles(self, output):
-        gain = testing.figure(output, "MeanRadiusRatio") - testing.figure(
+        gain = testing.metric(output, "MeanRadiusRatio") - testing.metric(
             output, "InputMeanRadiusRatio"
         )
         self.assertGreater(gain, 0.1)
@@ -79,7 +79,7 @@ class Examples(unittest.TestCase):
         noisy = shapes.with_noise(clean, 0.0015)
         output = self.run_example("denoise", noisy)
         self.assertLess(mean_distance(output, clean), 0.75 * mean_distance(noisy, clean))
-        self.assertLess(abs(testing.figure(output, "RelativeVolumeChange")), 1e-6)
+        self.assertLess(abs(testing.metric(output, "RelativeVolumeChange")), 1e-6)
 
     def test_denoise_cad(self):
         clean = shapes.machine_part(edge=0.05)
@@ -108,7 +108,7 @@ class Examples(unittest.TestCase):
 
     def test_exaggerate_detail_by_1_changes_nothing(self):
         output = self.run_example("exaggerate_detail", self.animal, factor=1)
-        self.assertLess(testing.figure(output, "RelativeMaximumDisplacement"), 1e-6)
+        self.assertLess(testing.metric(output, "RelativeMaximumDisplacement"), 1e-6)
 
     def test_exaggerate_detail_raises_curvature(self):
         same, more = (

@@ -98,7 +98,7 @@ class Pipeline(unittest.TestCase):
         ]:
             got = getattr(deviation, "Get" + name)()
             self.assertGreater(got, 0)
-            self.assertEqual(testing.figure(deviation.GetOutput(), name), got, name)
+            self.assertEqual(testing.metric(deviation.GetOutput(), name), got, name)
 
     def test_the_input_is_left_alone(self):
         V, T = testing.torus(9, 8)
@@ -172,9 +172,10 @@ class InputArrays(unittest.TestCase):
             for unit in (1e-3, 1, 100):
                 for boundary in boundaries:
                     with self.subTest(mesh=name, unit=unit, boundary=boundary):
-                        self.assertLess(self.motion_by_own_normals((V * unit, T), boundary), 1e-9)
+                        error = self.displacement_by_own_normals((V * unit, T), boundary)
+                        self.assertLess(error, 1e-9)
 
-    def motion_by_own_normals(self, mesh, boundary):
+    def displacement_by_own_normals(self, mesh, boundary):
         """Of the points, divided by the size of the mesh."""
         laplacian = testing.updated(vtkMeshLaplacian, testing.to_polydata(mesh)).GetOutput()
         optimizer = vtkLaplacianMeshOptimizer()

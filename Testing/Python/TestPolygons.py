@@ -214,7 +214,7 @@ class CurvedPolygons(unittest.TestCase):
             after = shapes(testing.points_of(output), mesh[1])
             self.assertGreater(after.mean(), before.mean())
             self.assertGreaterEqual(after.min(), before.min())
-            self.assertLessEqual(testing.figure(output, "RelativeHausdorffBound"), 0.005)
+            self.assertLessEqual(testing.metric(output, "RelativeHausdorffBound"), 0.005)
 
     def test_scattered_numbers_change_nothing(self):
         V, quads = torus_of_quads(400, 160, noise=0.01)

@@ -140,7 +140,7 @@ class Filters(unittest.TestCase):
             vtk_filter.Update()
             for metric in HEADERS[name].metrics:
                 got = getattr(vtk_filter, "Get" + metric)()
-                self.assertEqual(testing.figure(vtk_filter.GetOutput(), metric), got, metric)
+                self.assertEqual(testing.metric(vtk_filter.GetOutput(), metric), got, metric)
 
 
 class Panels(unittest.TestCase):

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 # SPDX-License-Identifier: BSD-3-Clause
-"""Figures and claims on real meshes, in the folder that LMO_REAL_MESHES names."""
+"""Metrics and claims on real meshes, in the folder that LMO_REAL_MESHES names."""
 import os
 import unittest
 from functools import lru_cache
@@ -136,12 +136,12 @@ class RealMeshes(unittest.TestCase):
                     optimizer.GetInputMeanRadiusRatio(),
                     optimizer.GetInputMinimumRadiusRatio(),
                 )
-                for ratio, figure in zip(ratios, expected):
-                    self.assertAlmostEqual(ratio, figure, delta=1e-6)
+                for ratio, value in zip(ratios, expected):
+                    self.assertAlmostEqual(ratio, value, delta=1e-6)
 
     def test_triangle_quality_after_optimization(self):
-        for name, figures in QUALITY.items():
-            for (weighting, modulate), expected in figures.items():
+        for name, metrics in QUALITY.items():
+            for (weighting, modulate), expected in metrics.items():
                 with self.subTest(name, weighting=weighting, modulate=modulate):
                     self.assert_quality(optimized(name, weighting, modulate), expected)
 

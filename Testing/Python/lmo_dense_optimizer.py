@@ -60,7 +60,7 @@ class DenseOptimizer:
         return L
 
     def target(self, V, T):
-        """f of section 4; 0 along a straight border."""
+        """f of section 4; 0 along a straight boundary."""
         if self.Mode == "SMOOTH":
             f = np.zeros_like(V)
         elif self.Mode == "PRESCRIBED_LAPLACIANS":
@@ -140,17 +140,17 @@ def least_squares(A, b, V, unknown):
 
 # --- Borders that consist of straight lines along the axes ---------------------------------------
 def line_tangents(V, T):
-    """Unit direction of the border at each of its points, 0 at the ends of its straight lines."""
+    """Unit direction of the boundary at each of its points, 0 at the ends of its straight lines."""
     tangents = np.zeros_like(V)
-    for i, border in enumerate(reference.triangles_at_edges(len(V), T) == 1):
-        if border.any():
-            out, back = (edge / np.linalg.norm(edge) for edge in V[border] - V[i])
+    for i, boundary in enumerate(reference.triangles_at_edges(len(V), T) == 1):
+        if boundary.any():
+            out, back = (edge / np.linalg.norm(edge) for edge in V[boundary] - V[i])
             tangents[i] = (out - back) / 2 if out @ back < -0.99 else 0
     return tangents
 
 
 def line_laplacian(V, T):
-    """L_u of the border's lines."""
+    """L_u of the boundary's lines."""
     is_border = reference.triangles_at_edges(len(V), T) == 1
     is_line = line_tangents(V, T).any(axis=1)
     return np.diag(is_line) @ (is_border / 2 - np.eye(len(V)))

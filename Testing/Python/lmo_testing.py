@@ -46,7 +46,7 @@ def cell_array(polydata, name):
     return vtk_to_numpy(polydata.GetCellData().GetArray(name))
 
 
-def figure(polydata, name):
+def metric(polydata, name):
     """A single value of the field data."""
     return polydata.GetFieldData().GetArray(name).GetValue(0)
 
@@ -112,7 +112,7 @@ def torus(rows, columns, jitter=0.3, seed=1):
 def patch(rows, columns, jitter=0.3, seed=1):
     """An open surface over the square [0, 1] x [0, 1]: flat for x < 1/2, then a bump.
 
-    Its borders are straight lines, and their points are jittered along them.
+    Its boundaries are straight lines, and their points are jittered along them.
     """
     random = np.random.default_rng(seed)
     T = grid_triangles(np.arange(rows * columns).reshape(rows, columns), random)

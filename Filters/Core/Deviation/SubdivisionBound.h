@@ -11,8 +11,8 @@ namespace lmo
 struct Nearness
 {
   bool isProven = false;
-  Index failure = -1;      ///< triangle of the mesh that is close to where the proof fails, or -1
-  std::vector<Index> used; ///< triangles of the mesh that the proof needs
+  Index failure = -1; ///< triangle of the mesh that is close to where the certificate fails, or -1
+  std::vector<Index> used; ///< triangles of the mesh that the certificate needs
 };
 
 /// Proves that a triangle lies within a distance of a mesh. The distance to one triangle, a convex

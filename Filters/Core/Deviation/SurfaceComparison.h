@@ -11,7 +11,7 @@
 
 namespace lmo
 {
-/// What an optimisation did to the surface: the figures of Fig. 5 and some more.
+/// What an optimisation did to the surface: the metrics of Fig. 5 and some more.
 struct SurfaceComparison
 {
   std::shared_ptr<const MeshQuality> before = std::make_shared<MeshQuality>(); ///< not null

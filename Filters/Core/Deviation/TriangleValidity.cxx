@@ -41,14 +41,14 @@ Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& 
 }
 
 /// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
-/// corners, without those of hubs, which hardly change.
+/// corners, without those of vertices of high valence, which hardly change.
 double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology& topology, Index t)
 {
   Vector3 sum = Vector3::Zero();
   for (int k = 0; k < 3; ++k)
   {
     const Index i = T(t, k);
-    if (!topology.IsHub(i))
+    if (!topology.HasHighValence(i))
     {
       sum += VertexNormal(V, T, topology, i);
     }
@@ -167,7 +167,7 @@ bool TriangleValidity::FacesAllAround(Index t) const
   for (int k = 0; k < 3 && facesAll; ++k)
   {
     const Index i = this->T(t, k);
-    if (!this->Topology.IsHub(i))
+    if (!this->Topology.HasHighValence(i))
     {
       ForEachTriangleOfCellsAt(this->Topology.cornersAt, this->Topology.polygons, i,
         [&](Index other)

@@ -24,11 +24,11 @@ class Search
 {
 public:
   Search(DeviationGuard& guard, const Triangles& triangles, const MeshTopology& topology,
-    const DisplacementConstraints& motion, const PlaceVertex& place)
+    const DisplacementConstraints& constraints, const PlaceVertex& place)
     : Guard(guard)
     , T(triangles)
     , Topology(topology)
-    , Motion(motion)
+    , Constraints(constraints)
     , Place(place)
     , LossLeft(LargestLoss * static_cast<double>(topology.polygons.IsEmpty()
                                                    ? triangles.rows()
@@ -87,7 +87,7 @@ private:
     std::vector<Index> worst;
     for (Index t = 0; t < static_cast<Index>(quality.size()); ++t)
     {
-      if (quality[t] < goal && !IsCollapsed(this->T, t))
+      if (quality[t] < goal && !IsDegenerate(this->T, t))
       {
         worst.push_back(t);
       }
@@ -128,9 +128,9 @@ private:
     const Points& V = this->Guard.GetAccepted();
     const AdjacencyLists& rings = this->Topology.oneRings;
     double sum = 0;
-    for (const Index* j = rings.Begin(vertex); j != rings.End(vertex); ++j)
+    for (const Index j : rings[vertex])
     {
-      sum += (V.row(*j) - V.row(vertex)).norm();
+      sum += (V.row(j) - V.row(vertex)).norm();
     }
     return sum / rings.Size(vertex);
   }
@@ -138,8 +138,8 @@ private:
   /// Unit directions in which the vertex may move.
   std::vector<Vector3> DirectionsOf(Index vertex) const
   {
-    const Vector3 axis = this->Motion.axes.row(vertex);
-    if (this->Motion.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
+    const Vector3 axis = this->Constraints.axes.row(vertex);
+    if (this->Constraints.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
     {
       return { axis, -axis };
     }
@@ -197,7 +197,8 @@ private:
   /// Moves the vertex as long as that raises its minimum.
   bool Improve(Index vertex, double goal)
   {
-    if (this->Motion.freedom[vertex] == DisplacementConstraints::FIXED || this->IsExhausted[vertex])
+    if (this->Constraints.freedom[vertex] == DisplacementConstraints::FIXED ||
+        this->IsExhausted[vertex])
     {
       return false;
     }
@@ -227,7 +228,7 @@ private:
   DeviationGuard& Guard;
   const Triangles& T;
   const MeshTopology& Topology;
-  const DisplacementConstraints& Motion;
+  const DisplacementConstraints& Constraints;
   const PlaceVertex& Place;
   double LossLeft;  ///< of the sum of all t
   Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
@@ -235,10 +236,10 @@ private:
 }
 
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
-  const MeshTopology& topology, const DisplacementConstraints& motion, const PlaceVertex& place,
-  ProgressMonitor& monitor)
+  const MeshTopology& topology, const DisplacementConstraints& constraints,
+  const PlaceVertex& place, ProgressMonitor& monitor)
 {
-  Search search(guard, triangles, topology, motion, place);
+  Search search(guard, triangles, topology, constraints, place);
   for (const double goal : Goals)
   {
     for (int sweep = 0; sweep < MostSweeps && search.Sweep(goal, monitor); ++sweep)

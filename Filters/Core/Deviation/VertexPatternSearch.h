@@ -15,12 +15,12 @@ namespace lmo
 using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 
 /// Moves the vertices of the worst triangles, one after the other, where that raises the minimum of
-/// t around them and the guard accepts it: a pattern search in the directions that \a motion
+/// t around them and the guard accepts it: a pattern search in the directions that \a constraints
 /// allows. What the least-squares problem cannot do, since it knows averages. \throw Cancelled if
 /// the monitor says so; the guard has accepted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
-  const MeshTopology& topology, const DisplacementConstraints& motion, const PlaceVertex& place,
-  ProgressMonitor& monitor);
+  const MeshTopology& topology, const DisplacementConstraints& constraints,
+  const PlaceVertex& place, ProgressMonitor& monitor);
 }
 
 #endif

@@ -13,11 +13,11 @@ namespace lmo
 struct LaplacianTerm
 {
   Laplacian L;
-  Vector weights;                                ///< diagonal of W_L
-  std::shared_ptr<const Points> target;          ///< c
-  std::shared_ptr<const Vector> softEdgeWeights; ///< for multigrid: those of L without the
-                                                 ///< largest; null stands for those of L
-  std::vector<Matrix3> projectors;               ///< T_i; none stand for the identity
+  Vector weights;                                   ///< diagonal of W_L
+  std::shared_ptr<const Points> target;             ///< c
+  std::shared_ptr<const Vector> clampedEdgeWeights; ///< for multigrid: those of L without the
+                                                    ///< largest; null stands for those of L
+  std::vector<Matrix3> projectors;                  ///< T_i; none stand for the identity
 
   /// Q_i
   double RowWeight(Index i) const

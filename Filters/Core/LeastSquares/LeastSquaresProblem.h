@@ -23,7 +23,7 @@ struct LeastSquaresProblem
   LaplacianTerm laplacian;
   PolylineTerm polylines;
   NormalAlignmentTerm normalAlignment;
-  DisplacementConstraints motion;
+  DisplacementConstraints constraints;
 
   /// The terms, in the order in which they are summed.
   auto Terms() const
@@ -42,7 +42,7 @@ struct LeastSquaresProblem
   }
 
   /// True if x, y and z are not three independent systems with one matrix.
-  bool IsCoupled() const { return this->HasCoupledTerms() || this->motion.axes.rows() > 0; }
+  bool IsCoupled() const { return this->HasCoupledTerms() || this->constraints.axes.rows() > 0; }
 };
 
 /// The value that a solution minimises, from its definition.
@@ -52,8 +52,8 @@ double Energy(const LeastSquaresProblem& problem, const Points& d);
 /// Block i of the diagonal of A, without the constraints; isotropic is 1 if no term sets it.
 DiagonalBlock DiagonalAt(const LeastSquaresProblem& problem, Index i);
 
-/// b - A d, the residual of the normal equations within the motion allowed: -1/2 of the gradient of
-/// the energy. The matrix A is applied, never formed; b is the residual of d = 0.
+/// b - A d, the residual of the normal equations within the displacements allowed: -1/2 of the
+/// gradient of the energy. The matrix A is applied, never formed; b is the residual of d = 0.
 /// \param d no rows stand for 0
 /// \param store called once for each vertex, on several threads, as store(i, residual of i)
 /// \return its norm, the same for any number of threads

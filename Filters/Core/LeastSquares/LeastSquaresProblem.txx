@@ -19,7 +19,7 @@ double ComputeResidual(const LeastSquaresProblem& problem, const Points& d, cons
       {
         Vector3 residual = Vector3::Zero();
         (rows(i, residual), ...);
-        residual = problem.motion.Project(i, residual);
+        residual = problem.constraints.Project(i, residual);
         store(i, residual);
         squaredNorm += residual.squaredNorm();
       });

@@ -30,7 +30,7 @@ NormalAlignmentTerm::NormalAlignmentTerm(
 {
   for (Index t = 0; t < static_cast<Index>(this->triangles.rows()); ++t)
   {
-    if (IsCollapsed(this->triangles, t))
+    if (IsDegenerate(this->triangles, t))
     {
       this->normals.row(t).setZero(); // its corners are not in cornersAt
     }

@@ -40,11 +40,11 @@ PackedRow<Scalar> SumRows(Index i, const PackedRow<Scalar>& x, const Rows&... ro
 }
 
 template <typename Scalar, typename... Rows>
-Dots MultiplyUncoupled(const DisplacementConstraints& motion, const PackedPoints<Scalar>& x,
+Dots MultiplyUncoupled(const DisplacementConstraints& constraints, const PackedPoints<Scalar>& x,
   PackedPoints<Scalar>& product, const Rows&... rows)
 {
   return ParallelSum(static_cast<Index>(x.cols()), DotSum(),
-    [rows..., freedom = motion.freedom.data(), x = View(x), product = View(product)](
+    [rows..., freedom = constraints.freedom.data(), x = View(x), product = View(product)](
       DotSum& sum, Index i) mutable
     {
       const PackedRow<Scalar> xi = x.col(i);
@@ -60,15 +60,15 @@ Dots MultiplyUncoupled(const DisplacementConstraints& motion, const PackedPoints
 }
 
 template <typename Scalar, typename... Rows>
-Dots MultiplyCoupled(const DisplacementConstraints& motion, const PackedPoints<Scalar>& x,
+Dots MultiplyCoupled(const DisplacementConstraints& constraints, const PackedPoints<Scalar>& x,
   PackedPoints<Scalar>& product, const Rows&... rows)
 {
   const double dot = ParallelSum(static_cast<Index>(x.cols()), 0.0,
-    [rows..., &motion, x = View(x), product = View(product)](double& sum, Index i) mutable
+    [rows..., &constraints, x = View(x), product = View(product)](double& sum, Index i) mutable
     {
       const PackedRow<Scalar> xi = x.col(i);
       const PackedRow<Scalar> whole = SumRows(i, xi, rows...);
-      const Vector3 row = motion.Project(i, ToVector(whole));
+      const Vector3 row = constraints.Project(i, ToVector(whole));
       product.col(i) = whole;
       product.col(i).template head<3>() = row.transpose().array().template cast<Scalar>();
       sum += row.dot(ToVector(xi));
@@ -88,20 +88,20 @@ template <typename Scalar>
 Dots NormalOperator<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   Dots dots;
-  const DisplacementConstraints& motion = this->Problem.motion;
+  const DisplacementConstraints& constraints = this->Problem.constraints;
   const auto multiply = [&](auto&... products)
   {
     (products.Prepare(x), ...);
     if (this->Problem.IsCoupled())
     {
       WithRows<true>([&](const auto&... rows)
-        { dots = MultiplyCoupled(motion, x, product, rows...); },
+        { dots = MultiplyCoupled(constraints, x, product, rows...); },
         products...);
     }
     else
     {
       WithRows<false>([&](const auto&... rows)
-        { dots = MultiplyUncoupled(motion, x, product, rows...); },
+        { dots = MultiplyUncoupled(constraints, x, product, rows...); },
         products...);
     }
   };

@@ -50,7 +50,7 @@ public:
     return std::get<LaplacianTerm::Product<Scalar>>(this->Products).GetStiffness();
   }
 
-  /// product = A x, for x within the motion allowed.
+  /// product = A x, for x within the displacements allowed.
   /// \return the inner products of x and A x; three times their sum if the problem is coupled
   Dots Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product);
 

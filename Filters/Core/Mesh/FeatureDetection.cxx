@@ -68,13 +68,13 @@ struct EdgeTriangles
       std::swap(i, j);
     }
     Index ahead = 0;
-    for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+    for (const Index c : topology.cornersAt[i])
     {
-      const bool isAhead = T.data()[NextCorner(*c)] == j;
-      if ((isAhead || T.data()[PreviousCorner(*c)] == j) && this->count < 3)
+      const bool isAhead = T.data()[NextCorner(c)] == j;
+      if ((isAhead || T.data()[PreviousCorner(c)] == j) && this->count < 3)
       {
         ahead += isAhead;
-        this->triangles[this->count++] = *c / 3;
+        this->triangles[this->count++] = c / 3;
       }
     }
     this->areOpposite = this->count == 2 && ahead == 1;
@@ -134,11 +134,11 @@ bool IsPinnedWithout(
 {
   Index others[2];
   Index count = 0;
-  for (const Index* j = edges.Begin(i); j != edges.End(i); ++j)
+  for (const Index j : edges[i])
   {
-    if (*j != triangles(t, 0) && *j != triangles(t, 1) && *j != triangles(t, 2))
+    if (j != triangles(t, 0) && j != triangles(t, 1) && j != triangles(t, 2))
     {
-      others[count++ % 2] = *j;
+      others[count++ % 2] = j;
     }
   }
   return count > 0 && (count != 2 || !IsSmoothTurn(V, others[0], i, others[1]));
@@ -152,7 +152,7 @@ AdjacencyLists DropOwnCorners(const AdjacencyLists& edges, const Points& V,
   ParallelFor(static_cast<Index>(triangles.rows()),
     [&](Index t)
     {
-      bool isClosed = !IsCollapsed(triangles, t);
+      bool isClosed = !IsDegenerate(triangles, t);
       for (int k = 0; k < 3; ++k)
       {
         isClosed = isClosed && Contains(edges, triangles(t, k), triangles(t, (k + 1) % 3));
@@ -230,11 +230,11 @@ AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const Mes
       group.junctions += edges.Size(i) > 2;
       group.corners += lines.pointClass[i] == FeatureLines::CORNER;
       group.inner += lines.pointClass[i] == FeatureLines::EDGE;
-      for (const Index* j = topology.oneRings.Begin(i); j != topology.oneRings.End(i); ++j)
+      for (const Index j : topology.oneRings[i])
       {
-        if (!Contains(edges, i, *j))
+        if (!Contains(edges, i, j))
         {
-          const double angleBeside = angles(i, *j);
+          const double angleBeside = angles(i, j);
           group.angleBeside += angleBeside;
           group.inPlanes += angleBeside < PlaneShare * angle;
           ++group.beside;

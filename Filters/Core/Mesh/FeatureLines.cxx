@@ -85,9 +85,9 @@ Vector3 ProjectOntoLine(const FeatureLines& features, const Points& V, Index i, 
 {
   const double reach = 2 * (x - V.row(i)).norm();
   Vector3 closest = V.row(i);
-  for (const Index* j = features.lines->Begin(i); j != features.lines->End(i); ++j)
+  for (const Index j : (*features.lines)[i])
   {
-    WalkLine(features, V, i, *j, reach, x, closest);
+    WalkLine(features, V, i, j, reach, x, closest);
   }
   return closest;
 }

@@ -200,7 +200,7 @@ AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles)
   const auto count = static_cast<Index>(triangles.rows());
   for (Index t = 0; t < count; ++t)
   {
-    if (!IsCollapsed(triangles, t))
+    if (!IsDegenerate(triangles, t))
     {
       for (int corner = 0; corner < 3; ++corner)
       {
@@ -213,7 +213,7 @@ AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles)
   std::vector<Index> next(lists.offsets.begin(), lists.offsets.end() - 1);
   for (Index t = 0; t < count; ++t)
   {
-    if (!IsCollapsed(triangles, t))
+    if (!IsDegenerate(triangles, t))
     {
       for (int corner = 0; corner < 3; ++corner)
       {
@@ -273,12 +273,12 @@ std::vector<Index> ConnectedComponents(const AdjacencyLists& oneRings)
     {
       const Index i = front.back();
       front.pop_back();
-      for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
+      for (const Index j : oneRings[i])
       {
-        if (component[*j] < 0)
+        if (component[j] < 0)
         {
-          component[*j] = components;
-          front.push_back(*j);
+          component[j] = components;
+          front.push_back(j);
         }
       }
     }

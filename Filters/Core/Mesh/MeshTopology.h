@@ -7,7 +7,8 @@
 
 namespace lmo
 {
-/// A vertex of more triangles is a hub: looking at all pairs of its triangles would take too long.
+/// A vertex of more triangles has a high valence: looking at all pairs of its triangles would take
+/// too long.
 constexpr Index LargestStar = 100;
 
 /// Who is whose neighbour. A triangle that names a vertex twice has no edges and counts nowhere.
@@ -25,7 +26,7 @@ struct MeshTopology
   Mask isBoundary;              ///< vertex lies on an edge of exactly one cell
   Mask isUsed; ///< a triangle uses the vertex; the others keep their place and count nowhere
 
-  bool IsHub(Index i) const { return this->cornersAt.Size(i) > LargestStar; }
+  bool HasHighValence(Index i) const { return this->cornersAt.Size(i) > LargestStar; }
 
   /// At least one triangle, and no edge with exactly one.
   bool IsClosed() const;
@@ -42,13 +43,13 @@ inline Index PreviousCorner(Index corner)
 }
 
 /// True if the triangle names a vertex twice.
-inline bool IsCollapsed(const Triangles& triangles, Index t)
+inline bool IsDegenerate(const Triangles& triangles, Index t)
 {
   return triangles(t, 0) == triangles(t, 1) || triangles(t, 1) == triangles(t, 2) ||
          triangles(t, 2) == triangles(t, 0);
 }
 
-/// The corners at each vertex, ascending, without those of collapsed triangles.
+/// The corners at each vertex, ascending, without those of degenerate triangles.
 AdjacencyLists CornersAtVertices(Index vertices, const Triangles& triangles);
 
 /// \param vertices number of vertices; every id in \a triangles is below it.

@@ -55,9 +55,9 @@ void ForEachTriangleOfCellsAt(
   const AdjacencyLists& cornersAt, const Polygons& polygons, Index i, const Visit& visit)
 {
   Index last = -1;
-  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  for (const Index corner : cornersAt[i])
   {
-    const Index triangle = *corner / 3;
+    const Index triangle = corner / 3;
     if (polygons.IsEmpty())
     {
       visit(triangle);

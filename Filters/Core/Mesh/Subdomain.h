@@ -13,7 +13,7 @@ namespace lmo
 ///
 /// Each vertex and each triangle is owned by one process. A part has all triangles within two edges
 /// of the vertices it owns: what the numerics compute for a vertex from its neighbours is right
-/// where the vertex is owned. The other vertices are copies, whose values come from their owners.
+/// where the vertex is owned. The other vertices are ghosts, whose values come from their owners.
 ///
 /// All processes call Sum() and what follows it in the same order.
 class Subdomain
@@ -42,11 +42,11 @@ public:
   /// CumulativeShares() with the values that count in all processes.
   virtual Vector CumulativeShares(const Vector& values, const Mask& counts) const;
 
-  /// Gives copies the values of their owners.
-  virtual void UpdateCopies(Vector&) const {}
-  virtual void UpdateCopies(Points&) const {}
-  virtual void UpdateCopies(Eigen::Array4Xf&) const {}
-  virtual void UpdateCopies(Eigen::Array4Xd&) const {}
+  /// Gives ghosts the values of their owners.
+  virtual void UpdateGhosts(Vector&) const {}
+  virtual void UpdateGhosts(Points&) const {}
+  virtual void UpdateGhosts(Eigen::Array4Xf&) const {}
+  virtual void UpdateGhosts(Eigen::Array4Xd&) const {}
 
   /// Sets the flags of the components that are connected, through other processes, to one whose
   /// flag is set.

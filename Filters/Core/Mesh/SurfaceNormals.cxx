@@ -173,7 +173,7 @@ SurfaceNormals::SurfaceNormals(const Points& V, const Triangles& triangles,
       const bool isKnown = error < LargestError * normal.stableNorm();
       this->Own.row(t) = isKnown ? normal.stableNormalized() : Vector3::Zero();
       this->Errors[t] = isKnown ? error / normal.stableNorm() : 0;
-      this->Thin[t] = quality[t] < ThinQuality && !IsCollapsed(triangles, t);
+      this->Thin[t] = quality[t] < ThinQuality && !IsDegenerate(triangles, t);
     });
   this->Joined = this->Own;
   const FlushNeighbours neighbours(V, triangles, topology, this->Own, angle);

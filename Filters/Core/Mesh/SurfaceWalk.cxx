@@ -28,16 +28,16 @@ public:
   /// Looks at the triangles at a vertex.
   void VisitVertex(Index i)
   {
-    for (const Index* corner = this->CornersAt.Begin(i); corner != this->CornersAt.End(i); ++corner)
+    for (const Index corner : this->CornersAt[i])
     {
-      const TriangleCorners abc = CornersOf(this->V, this->T, *corner / 3);
+      const TriangleCorners abc = CornersOf(this->V, this->T, corner / 3);
       const double squared =
         (ClosestPointOnTriangle(this->X, abc.row(0), abc.row(1), abc.row(2)) - this->X)
           .squaredNorm();
       if (squared < this->SquaredDistance)
       {
         this->SquaredDistance = squared;
-        this->Closest = *corner / 3;
+        this->Closest = corner / 3;
       }
     }
   }

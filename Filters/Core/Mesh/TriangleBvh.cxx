@@ -30,7 +30,7 @@ TriangleBvh::TriangleBvh(const Points& V, const Triangles& triangles, ProgressMo
 {
   for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
   {
-    if (!IsCollapsed(triangles, t))
+    if (!IsDegenerate(triangles, t))
     {
       this->Order.push_back(t);
     }

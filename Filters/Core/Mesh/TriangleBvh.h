@@ -11,7 +11,7 @@
 namespace lmo
 {
 /// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
-/// and refitted after motions. (VTK's locators and Eigen's KdBVH have to be built anew.)
+/// and refitted when vertices have moved. (VTK's locators and Eigen's KdBVH have to be built anew.)
 class TriangleBvh
 {
 public:

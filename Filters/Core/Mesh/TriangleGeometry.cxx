@@ -35,9 +35,9 @@ template <typename Value>
 auto SumOverCorners(const MeshTopology& topology, Index i, const Value& value)
 {
   std::decay_t<decltype(value(0))> sum{};
-  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  for (const Index c : topology.cornersAt[i])
   {
-    sum += value(*c);
+    sum += value(c);
   }
   return sum;
 }
@@ -235,9 +235,9 @@ Vector3 VertexNormal(
   Vector3 sum = Vector3::Zero();
   if (topology.polygons.IsEmpty())
   {
-    for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+    for (const Index c : topology.cornersAt[i])
     {
-      const CornerEdges edges(V, triangles, *c);
+      const CornerEdges edges(V, triangles, c);
       sum += edges.next.cross(edges.previous);
     }
   }

@@ -16,16 +16,16 @@ Index TriangleAlong(const Triangles& triangles, const AdjacencyLists& cornersAt,
   const Index pivot = isAtStart ? i : j;
   const Index other = isAtStart ? j : i;
   Index found = NoNeighbour;
-  for (const Index* corner = cornersAt.Begin(pivot); corner != cornersAt.End(pivot); ++corner)
+  for (const Index corner : cornersAt[pivot])
   {
-    const Index beside = isAtStart ? NextCorner(*corner) : PreviousCorner(*corner);
+    const Index beside = isAtStart ? NextCorner(corner) : PreviousCorner(corner);
     if (triangles.data()[beside] == other)
     {
       if (found != NoNeighbour)
       {
         return NoNeighbour;
       }
-      found = *corner / 3;
+      found = corner / 3;
     }
   }
   return found;

@@ -80,15 +80,15 @@ MeshOrder BreadthFirstOrder(Index vertices, const Triangles& triangles, const Po
     for (; next < order.vertices.size(); ++next)
     {
       const Index i = order.vertices[next];
-      for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+      for (const Index corner : cornersAt[i])
       {
-        number(order.triangles, isTriangleNumbered, *corner / 3);
-        number(order.vertices, isNumbered, triangles.data()[NextCorner(*corner)]);
-        number(order.vertices, isNumbered, triangles.data()[PreviousCorner(*corner)]);
+        number(order.triangles, isTriangleNumbered, corner / 3);
+        number(order.vertices, isNumbered, triangles.data()[NextCorner(corner)]);
+        number(order.vertices, isNumbered, triangles.data()[PreviousCorner(corner)]);
       }
     }
   }
-  for (Index t = 0; t < triangles.rows(); ++t) // collapsed ones are at no vertex
+  for (Index t = 0; t < triangles.rows(); ++t) // degenerate ones are at no vertex
   {
     number(order.triangles, isTriangleNumbered, t);
   }

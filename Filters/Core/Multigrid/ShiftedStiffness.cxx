@@ -30,10 +30,10 @@ double MeanSquaredWeight(const LeastSquaresProblem& problem, Index i)
 
 ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
   std::shared_ptr<const EllpackStiffness<float>> K,
-  const std::shared_ptr<const Vector>& softEdgeWeights)
+  const std::shared_ptr<const Vector>& clampedEdgeWeights)
   : L{ problem.laplacian.L.rings,
-    softEdgeWeights ? softEdgeWeights : problem.laplacian.L.edgeWeights, {} }
-  , K(softEdgeWeights ? std::make_shared<const EllpackStiffness<float>>(L) : std::move(K))
+    clampedEdgeWeights ? clampedEdgeWeights : problem.laplacian.L.edgeWeights, {} }
+  , K(clampedEdgeWeights ? std::make_shared<const EllpackStiffness<float>>(L) : std::move(K))
   , shift(problem.Size())
   , diagonal(problem.Size())
   , inverseQ(problem.Size())
@@ -54,7 +54,7 @@ ShiftedStiffness::ShiftedStiffness(const LeastSquaresProblem& problem,
       const double q = std::max(Q[i], smallestQ);
       const double sum = WeightSum(this->L, i);
       const double least = sum > 0 ? SmallestRelativeR * sum : 1;
-      this->isLeftOut[i] = problem.motion.freedom[i] != DisplacementConstraints::FREE ||
+      this->isLeftOut[i] = problem.constraints.freedom[i] != DisplacementConstraints::FREE ||
                            problem.laplacian.L.rings->Size(i) > LargestRing;
       this->inverseQ[i] = static_cast<float>(this->isLeftOut[i] ? 0 : 1 / q);
       const double here = problem.position.weights[i] / std::sqrt(q);

@@ -15,8 +15,8 @@ namespace lmo
 /// in all directions, and those with very many neighbours, whose rows would make products of
 /// matrices dense, are left out: their unknowns are 0.
 ///
-/// With soft edge weights K and Q are those that L would have with them: the ends of a very short
-/// edge then have an R that is not out of all proportion to that of their neighbours, which
+/// With clamped edge weights K and Q are those that L would have with them: the ends of a very
+/// short edge then have an R that is not out of all proportion to that of their neighbours, which
 /// multigrid needs, while L, whose rows are scaled to a sum of 1, hardly differs.
 struct ShiftedStiffness
 {
@@ -29,11 +29,11 @@ struct ShiftedStiffness
   Values inverseQ; ///< > 0, but 0 at vertices left out
   Mask isLeftOut;
 
-  /// \param K that of the problem's Laplacian, used unless there are soft weights
-  /// \param softEdgeWeights may be null
+  /// \param K that of the problem's Laplacian, used unless there are clamped weights
+  /// \param clampedEdgeWeights may be null
   ShiftedStiffness(const LeastSquaresProblem& problem,
     std::shared_ptr<const EllpackStiffness<float>> K,
-    const std::shared_ptr<const Vector>& softEdgeWeights = nullptr);
+    const std::shared_ptr<const Vector>& clampedEdgeWeights = nullptr);
 
   /// Entries of both matrices are in the same places.
   bool HasPatternOf(const ShiftedStiffness& other) const;

@@ -17,9 +17,9 @@ namespace
 double LongestSquaredEdge(const AdjacencyLists& oneRings, const Points& V, Index i)
 {
   double longest = 0;
-  for (const Index* j = oneRings.Begin(i); j != oneRings.End(i); ++j)
+  for (const Index j : oneRings[i])
   {
-    longest = std::max(longest, (V.row(*j) - V.row(i)).squaredNorm());
+    longest = std::max(longest, (V.row(j) - V.row(i)).squaredNorm());
   }
   return longest;
 }
@@ -111,7 +111,7 @@ Points CotangentQuantities::ComputeMeanCurvatureNormals() const
 {
   Points normals = MeanCurvatureNormals(this->MakeLaplacian(LaplacianType::MEAN_CURVATURE),
     this->Mesh.GetPoints(), this->Mesh.GetTopology());
-  this->Mesh.GetSubdomain().UpdateCopies(normals);
+  this->Mesh.GetSubdomain().UpdateGhosts(normals);
   return normals;
 }
 
@@ -122,7 +122,7 @@ const Vector& CotangentQuantities::GetMeanCurvatures() const
     {
       Vector curvatures = MeanCurvatures(
         this->ComputeMeanCurvatureNormals(), this->Mesh.GetDiagonal(), this->Mesh.GetTopology());
-      this->Mesh.GetSubdomain().UpdateCopies(curvatures);
+      this->Mesh.GetSubdomain().UpdateGhosts(curvatures);
       return curvatures;
     });
 }

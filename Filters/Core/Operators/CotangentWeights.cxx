@@ -49,16 +49,16 @@ Laplacian CotangentWeights::MakeMeanCurvatureLaplacian() const
     this->Weights.rings, this->Weights.edgeWeights, this->Weights.voronoiAreas);
 }
 
-std::shared_ptr<const Vector> CotangentWeights::GetSoftEdgeWeights() const
+std::shared_ptr<const Vector> CotangentWeights::GetClampedEdgeWeights() const
 {
-  return this->Get(this->SoftWeights,
+  return this->Get(this->ClampedWeights,
     [&]
     {
       const Triangles& T = this->Mesh.GetTriangles();
       const bool areOfEdges = !this->IsRobust && this->Mesh.GetPolygons().IsEmpty();
-      return areOfEdges
-               ? SoftEdgeWeights(this->Mesh.GetTopology(), T, Cotangents(this->Mesh.GetPoints(), T))
-               : nullptr;
+      return areOfEdges ? ClampedEdgeWeights(
+                            this->Mesh.GetTopology(), T, Cotangents(this->Mesh.GetPoints(), T))
+                        : nullptr;
     });
 }
 }

@@ -25,15 +25,15 @@ public:
   Laplacian MakeCotangentLaplacian() const;
   Laplacian MakeMeanCurvatureLaplacian() const;
 
-  /// SoftEdgeWeights() in the one-rings of L_c; null without needles, for robust weights, and for
-  /// polygons.
-  std::shared_ptr<const Vector> GetSoftEdgeWeights() const;
+  /// ClampedEdgeWeights() in the one-rings of L_c; null without needles, for robust weights, and
+  /// for polygons.
+  std::shared_ptr<const Vector> GetClampedEdgeWeights() const;
 
 private:
   const MeshQuantities& Mesh;
   const bool IsRobust;
   const CotangentParts Weights;
-  mutable std::optional<std::shared_ptr<const Vector>> SoftWeights;
+  mutable std::optional<std::shared_ptr<const Vector>> ClampedWeights;
 };
 }
 

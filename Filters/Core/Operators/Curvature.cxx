@@ -21,11 +21,11 @@ void FillBoundary(const MeshTopology& topology, Values& values)
       }
       values.row(i).setZero();
       Index inner = 0;
-      for (const Index* j = topology.oneRings.Begin(i); j != topology.oneRings.End(i); ++j)
+      for (const Index j : topology.oneRings[i])
       {
-        if (!topology.isBoundary[*j])
+        if (!topology.isBoundary[j])
         {
-          values.row(i) += values.row(*j);
+          values.row(i) += values.row(j);
           ++inner;
         }
       }

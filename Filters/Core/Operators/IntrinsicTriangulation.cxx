@@ -44,13 +44,13 @@ Index BackSide(Index side)
   return 6 * (side / 3) + 5 - side % 3;
 }
 
-Triangles WithoutCollapsed(const Triangles& triangles)
+Triangles WithoutDegenerate(const Triangles& triangles)
 {
   Triangles kept(triangles.rows(), 3);
   Index count = 0;
   for (Index t = 0; t < triangles.rows(); ++t)
   {
-    if (!IsCollapsed(triangles, t))
+    if (!IsDegenerate(triangles, t))
     {
       kept.row(count++) = triangles.row(t);
     }
@@ -206,7 +206,7 @@ double IntrinsicTriangulation::CotangentSum(Index side) const
 
 IntrinsicTriangulation TuftedCover(const Points& V, const Triangles& all)
 {
-  const Triangles triangles = WithoutCollapsed(all);
+  const Triangles triangles = WithoutDegenerate(all);
   std::vector<EdgeSide> sides = SidesByEdge(triangles);
   IntrinsicTriangulation cover;
   const std::size_t size = 6 * std::size_t(triangles.rows());

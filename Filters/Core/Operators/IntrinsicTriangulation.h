@@ -27,7 +27,7 @@ struct IntrinsicTriangulation
 /// The tufted cover (Sharp and Crane 2020, "A Laplacian for Nonmanifold Triangle Meshes"): two
 /// copies of each triangle, its front and its back, glued so that each edge has two triangles.
 /// Around an edge of three and more triangles in space, facing sides are glued; at a boundary edge
-/// the front and the back of its triangle. Collapsed triangles are left out.
+/// the front and the back of its triangle. Degenerate triangles are left out.
 IntrinsicTriangulation TuftedCover(const Points& V, const Triangles& triangles);
 
 /// Intrinsic mollification (same paper): adds the least length to all edges that makes each

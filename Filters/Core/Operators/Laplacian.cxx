@@ -13,11 +13,11 @@ namespace
 /// How many times too large the cotangents are; 1 for a triangle that is no needle.
 double NeedleFactor(const Vector3& cotangents)
 {
-  constexpr double largestSoftCotangent = 70;
+  constexpr double largestCotangent = 70;
   constexpr double largestShareOfCaps = 1. / 3; // of the obtuse angle's cotangent in the largest
   const double largest = cotangents.maxCoeff();
   const bool isCap = -cotangents.minCoeff() > largestShareOfCaps * largest;
-  return isCap ? 1 : std::max(1.0, largest / largestSoftCotangent);
+  return isCap ? 1 : std::max(1.0, largest / largestCotangent);
 }
 
 Index RowCount(const AdjacencyLists& rings)
@@ -69,10 +69,10 @@ void SumCotangents(const MeshTopology& topology, const Triangles& triangles, Ind
   const Index* end = topology.oneRings.End(i);
   const auto place = [&](Index id) { return std::lower_bound(begin, end, id) - begin; };
   std::fill(row, row + (end - begin), 0.0);
-  for (const Index* c = topology.cornersAt.Begin(i); c != topology.cornersAt.End(i); ++c)
+  for (const Index c : topology.cornersAt[i])
   {
-    const Index next = NextCorner(*c);
-    const Index previous = PreviousCorner(*c);
+    const Index next = NextCorner(c);
+    const Index previous = PreviousCorner(c);
     row[place(triangles.data()[next])] += cotangents.data()[previous];
     row[place(triangles.data()[previous])] += cotangents.data()[next];
   }
@@ -107,7 +107,7 @@ std::shared_ptr<const Vector> CotangentEdgeWeights(
   return weights;
 }
 
-std::shared_ptr<const Vector> SoftEdgeWeights(
+std::shared_ptr<const Vector> ClampedEdgeWeights(
   const MeshTopology& topology, const Triangles& triangles, CornerValues cotangents)
 {
   const Index needles = ParallelSum(static_cast<Index>(cotangents.rows()), Index(0),

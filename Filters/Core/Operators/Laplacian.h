@@ -47,7 +47,7 @@ std::shared_ptr<const Vector> CotangentEdgeWeights(
 /// two, divided by one number so that none is above 70. Those of caps, whose corners are nearly in
 /// line, are left alone.
 /// \return null if there are no needles
-std::shared_ptr<const Vector> SoftEdgeWeights(
+std::shared_ptr<const Vector> ClampedEdgeWeights(
   const MeshTopology& topology, const Triangles& triangles, CornerValues cotangents);
 
 /// Eqns. 2, 4, 5: L_c with normalised weights. A row whose weights cancel is empty.

@@ -12,7 +12,7 @@ namespace lmo
 {
 namespace
 {
-/// Calls visit(neighbour) once for each triangle that shares a vertex with t that is no hub.
+/// Calls visit(neighbour) once for each triangle that shares a vertex of no high valence with t.
 template <typename Visit>
 void ForEachAround(
   const Triangles& triangles, const MeshTopology& topology, Index t, const Visit& visit)
@@ -20,19 +20,20 @@ void ForEachAround(
   const AdjacencyLists& cornersAt = topology.cornersAt;
   const auto isNear = [&](Index neighbour, Index i)
   {
-    return !topology.IsHub(i) && (triangles(neighbour, 0) == i || triangles(neighbour, 1) == i ||
-                                   triangles(neighbour, 2) == i);
+    return !topology.HasHighValence(i) &&
+           (triangles(neighbour, 0) == i || triangles(neighbour, 1) == i ||
+             triangles(neighbour, 2) == i);
   };
   for (int k = 0; k < 3; ++k)
   {
     const Index i = triangles(t, k);
-    if (topology.IsHub(i))
+    if (topology.HasHighValence(i))
     {
       continue;
     }
-    for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+    for (const Index corner : cornersAt[i])
     {
-      const Index neighbour = *corner / 3;
+      const Index neighbour = corner / 3;
       const bool isVisited = (k > 0 && isNear(neighbour, triangles(t, 0))) ||
                              (k > 1 && isNear(neighbour, triangles(t, 1)));
       if (neighbour != t && !isVisited)

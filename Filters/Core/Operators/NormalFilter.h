@@ -9,7 +9,7 @@
 namespace lmo
 {
 /// Bilateral filter of the triangles' unit normals (Zheng et al. 2011): each becomes the mean over
-/// the triangles that share a vertex with it that is no hub, weighted by area, a Gaussian of
+/// the triangles that share a vertex of no high valence with it, weighted by area, a Gaussian of
 /// the distance of the centroids, as wide as that is on average, and a Gaussian of the difference
 /// of the normals.
 /// \param width of the Gaussian of unit normals' differences, > 0

@@ -71,12 +71,12 @@ void Cells::FindCellsAtVertices(Index vertices)
     std::fill(last.begin(), last.end(), -1);
     for (Index cell = 0; cell < this->Size(); ++cell)
     {
-      for (const Index* i = this->corners.Begin(cell); i != this->corners.End(cell); ++i)
+      for (const Index i : this->corners[cell])
       {
-        if (last[*i] != cell)
+        if (last[i] != cell)
         {
-          visit(*i, cell);
-          last[*i] = cell;
+          visit(i, cell);
+          last[i] = cell;
         }
       }
     }
@@ -176,9 +176,9 @@ AdjacencyLists CellRings(Index vertices, const Cells& cells)
   for (Index i = 0; i < vertices; ++i)
   {
     ring.clear();
-    for (const Index* cell = cells.at.Begin(i); cell != cells.at.End(i); ++cell)
+    for (const Index cell : cells.at[i])
     {
-      std::copy_if(cells.corners.Begin(*cell), cells.corners.End(*cell), std::back_inserter(ring),
+      std::copy_if(cells.corners.Begin(cell), cells.corners.End(cell), std::back_inserter(ring),
         [i](Index j) { return j != i; });
     }
     std::sort(ring.begin(), ring.end());
@@ -192,13 +192,13 @@ AdjacencyLists CellRings(Index vertices, const Cells& cells)
 template <typename Visit>
 void ForEachCellCorner(const Cells& cells, Index i, const Visit& visit)
 {
-  for (const Index* cell = cells.at.Begin(i); cell != cells.at.End(i); ++cell)
+  for (const Index cell : cells.at[i])
   {
-    for (Index place = 0; place < cells.corners.Size(*cell); ++place)
+    for (Index place = 0; place < cells.corners.Size(cell); ++place)
     {
-      if (cells.corners.Begin(*cell)[place] == i)
+      if (cells.corners.Begin(cell)[place] == i)
       {
-        visit(*cell, place);
+        visit(cell, place);
       }
     }
   }

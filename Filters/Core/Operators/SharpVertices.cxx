@@ -17,12 +17,11 @@ Vector NormalAgreement(const Points& V, const Triangles& triangles, const MeshTo
     {
       Vector3 sum = Vector3::Zero();
       double angles = 0;
-      for (const Index* corner = topology.cornersAt.Begin(i); corner != topology.cornersAt.End(i);
-           ++corner)
+      for (const Index corner : topology.cornersAt[i])
       {
         const Vector3 centre = V.row(i);
-        const Vector3 a = V.row(triangles.data()[NextCorner(*corner)]) - centre;
-        const Vector3 b = V.row(triangles.data()[PreviousCorner(*corner)]) - centre;
+        const Vector3 a = V.row(triangles.data()[NextCorner(corner)]) - centre;
+        const Vector3 b = V.row(triangles.data()[PreviousCorner(corner)]) - centre;
         const Vector3 normal = a.cross(b);
         const double length = normal.norm();
         if (length > 0)

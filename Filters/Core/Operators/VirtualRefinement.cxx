@@ -129,7 +129,7 @@ void RefinedPolygon::UseTriangles(const Triangles& triangles, Index first, const
   { return static_cast<Index>(std::find(ids, ids + this->Size, id) - ids); };
   for (Index t = first; t < first + this->Size - 2; ++t)
   {
-    if (!IsCollapsed(triangles, t))
+    if (!IsDegenerate(triangles, t))
     {
       this->Fan.push_back(
         { place(triangles(t, 0)), place(triangles(t, 1)), place(triangles(t, 2)) });

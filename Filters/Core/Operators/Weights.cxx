@@ -99,8 +99,8 @@ Vector AnchorWeights(const Vector& tags)
   return (tags.array() != 0).cast<double>();
 }
 
-void HoldLooseComponents(const std::vector<Index>& component, const Mask& isFixed, double weight,
-  Vector& positionWeights, const Subdomain& subdomain)
+void WeightUnconstrainedComponents(const std::vector<Index>& component, const Mask& isFixed,
+  double weight, Vector& positionWeights, const Subdomain& subdomain)
 {
   Mask isHeld(component.size(), 0);
   for (std::size_t i = 0; i < component.size(); ++i)

@@ -46,10 +46,10 @@ Vector GaussianWeights(const Vector& curvatures, double sigma);
 Vector AnchorWeights(const Vector& tags);
 
 /// Gives \a weight to every vertex of a component in which no vertex is fixed and no weight is
-/// positive: nothing else would hold it in space.
+/// positive: nothing else would determine where it is.
 /// \param component connected component of each vertex
-void HoldLooseComponents(const std::vector<Index>& component, const Mask& isFixed, double weight,
-  Vector& positionWeights, const Subdomain& subdomain = Subdomain());
+void WeightUnconstrainedComponents(const std::vector<Index>& component, const Mask& isFixed,
+  double weight, Vector& positionWeights, const Subdomain& subdomain = Subdomain());
 }
 
 #endif

@@ -35,7 +35,7 @@ Mask MovingVertices(const MeshTopology& topology, const RunPlan& plan)
     for (Index i = 0; i < topology.vertices; ++i)
     {
       moves[i] = moves[i] && plan.lines->pointClass[i] == FeatureLines::EDGE &&
-                 plan.problem.motion.freedom[i] != DisplacementConstraints::FIXED;
+                 plan.problem.constraints.freedom[i] != DisplacementConstraints::FIXED;
     }
   }
   return moves;
@@ -86,8 +86,8 @@ LeastSquaresProblem SetUpCurves(
   problem.laplacian.weights = Vector::Zero(surface.Size());
   problem.laplacian.target = std::make_shared<const Points>(Points::Zero(surface.Size(), 3));
   problem.position = surface.position;
-  problem.motion.freedom.assign(isCurve.size(), DisplacementConstraints::FIXED);
-  problem.motion.freeAxes = surface.motion.freeAxes;
+  problem.constraints.freedom.assign(isCurve.size(), DisplacementConstraints::FIXED);
+  problem.constraints.freeAxes = surface.constraints.freeAxes;
   std::vector<PolylineRow> rows;
   ForEachLineVertex(*plan.lines,
     [&](Index i, Index previous, Index next)
@@ -104,7 +104,7 @@ LeastSquaresProblem SetUpCurves(
         row.target = -row.Apply(V);
         rows.push_back(row);
         problem.position.weights[i] *= share;
-        problem.motion.freedom[i] = DisplacementConstraints::FREE;
+        problem.constraints.freedom[i] = DisplacementConstraints::FREE;
       }
     });
   problem.polylines = PolylineTerm(std::move(rows), surface.Size());
@@ -121,7 +121,7 @@ void FixCurves(const Points& displacement, const Mask& isCurve, RunPlan& plan)
   {
     if (isCurve[i])
     {
-      problem.motion.freedom[i] = DisplacementConstraints::FIXED;
+      problem.constraints.freedom[i] = DisplacementConstraints::FIXED;
       plan.lines->pointClass[i] = FeatureLines::CORNER;
     }
   }

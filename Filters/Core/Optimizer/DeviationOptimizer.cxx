@@ -19,12 +19,12 @@ namespace lmo
 namespace
 {
 constexpr double SolverTolerance = 1e-3; ///< the next pass corrects what is left
-constexpr double SmallestShare = 0.2;    ///< of a motion that is worth keeping
-constexpr double Hold = 1.3;             ///< factor of W_p where motion was taken back
+constexpr double SmallestShare = 0.2;    ///< of a displacement that is worth keeping
+constexpr double ReducedFactor = 1.3;    ///< of W_p where the guard reduced the displacement
 constexpr double Release = 0.7;          ///< and where it was not
-constexpr double OverRelaxation = 1.5;   ///< of the motion where none was taken back
+constexpr double OverRelaxation = 1.5;   ///< of the displacement where none was reduced
 constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
-constexpr double Centring = 1.3;         ///< factor of that motion
+constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
 
 /// Of distances between points in this box.
@@ -59,7 +59,7 @@ public:
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
     , Problem(std::move(plan.problem))
     , Cumulative(std::move(this->Problem.position.weights))
-    , Adaption(Vector::Ones(this->Mesh.GetPoints().rows()))
+    , AdaptiveFactors(Vector::Ones(this->Mesh.GetPoints().rows()))
     , Share(Vector::Zero(this->Mesh.GetPoints().rows()))
   {
     monitor.Report(0);
@@ -75,15 +75,15 @@ private:
   void SetPositionWeights()
   {
     lmo::SetPositionWeights(this->Mesh, this->Cumulative, this->Guard.GetAcceptedQuality(),
-      this->Adaption, this->Problem);
+      this->AdaptiveFactors, this->Problem);
   }
 
-  /// The motion that Eqn. 11 proposes.
+  /// The displacement that Eqn. 11 proposes.
   Solution Propose(ProgressMonitor& monitor);
 
   /// Moves as far as the guard allows.
-  /// \return whether it allows any motion
-  bool Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor);
+  /// \return whether it allows any displacement
+  bool Backtrack(const Points& displacement, double leastQuality, ProgressMonitor& monitor);
 
   /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
   /// far above the original surface as below it; 0 if there is distance left.
@@ -94,7 +94,7 @@ private:
 
   /// Halves the share of the vertices that are to blame for the failures.
   /// \return these vertices
-  std::vector<Index> TakeBack(const std::vector<DeviationGuard::Failure>& failures);
+  std::vector<Index> ReduceShares(const std::vector<DeviationGuard::Failure>& failures);
 
   Index CountRolledBack() const;
 
@@ -109,8 +109,8 @@ private:
   DeviationGuard Guard;
   LeastSquaresProblem Problem;
   const Vector Cumulative; ///< C(kappa)
-  Vector Adaption;         ///< factor of W_p
-  Vector Share;            ///< of the motion, 0 to 1
+  Vector AdaptiveFactors;  ///< factor of W_p
+  Vector Share;            ///< of the displacement, 0 to 1
 };
 
 Solution Passes::Propose(ProgressMonitor& monitor)
@@ -124,10 +124,10 @@ Solution Passes::Propose(ProgressMonitor& monitor)
     [&](Index i)
     {
       solution.displacement.row(i) *= this->Share[i] == 1 ? OverRelaxation : 1;
-      if (this->Problem.motion.freedom[i] == DisplacementConstraints::IN_PLANE)
+      if (this->Problem.constraints.freedom[i] == DisplacementConstraints::IN_PLANE)
       {
         solution.displacement.row(i) +=
-          Centring * this->CentreAt(i) * this->Problem.motion.axes.row(i);
+          Centring * this->CentreAt(i) * this->Problem.constraints.axes.row(i);
       }
     });
   return solution;
@@ -137,9 +137,9 @@ double Passes::CentreAt(Index i) const
 {
   const AdjacencyLists& cornersAt = this->Mesh.GetTopology().cornersAt;
   HeightRange heights;
-  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  for (const Index corner : cornersAt[i])
   {
-    heights.Add(this->Guard.GetHeights(*corner / 3));
+    heights.Add(this->Guard.GetHeights(corner / 3));
   }
   return heights.Largest() > CentringShare * this->Distance ? heights.Centre() : 0;
 }
@@ -152,7 +152,7 @@ Vector3 Passes::Place(Index i, const Vector3& position) const
   return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
 }
 
-std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& failures)
+std::vector<Index> Passes::ReduceShares(const std::vector<DeviationGuard::Failure>& failures)
 {
   const Triangles& T = this->Mesh.GetTriangles();
   Mask isBlamed(this->Size(), false);
@@ -183,20 +183,20 @@ std::vector<Index> Passes::TakeBack(const std::vector<DeviationGuard::Failure>& 
       {
         this->Share[i] = 0;
       }
-      this->Adaption[i] *= Hold;
+      this->AdaptiveFactors[i] *= ReducedFactor;
       vertices.push_back(i);
     }
   }
   return vertices;
 }
 
-bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& monitor)
+bool Passes::Backtrack(const Points& displacement, double leastQuality, ProgressMonitor& monitor)
 {
   std::vector<Index> moving;
   this->Share = Vector::Zero(this->Size());
   for (Index i = 0; i < this->Size(); ++i)
   {
-    if (this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED)
+    if (this->Problem.constraints.freedom[i] != DisplacementConstraints::FIXED)
     {
       this->Share[i] = 1;
       moving.push_back(i);
@@ -211,7 +211,8 @@ bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& 
         const Index i = moving[k];
         const Vector3 start = this->Guard.GetAccepted().row(i);
         const double share = this->Share[i];
-        this->Guard.Propose(i, share > 0 ? this->Place(i, start + share * motion.row(i)) : start);
+        this->Guard.Propose(
+          i, share > 0 ? this->Place(i, start + share * displacement.row(i)) : start);
       });
     const auto failures =
       this->Guard.Judge(moving, leastQuality, DeviationGuard::ALL_FAILURES, monitor);
@@ -219,7 +220,7 @@ bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& 
     {
       break;
     }
-    moving = this->TakeBack(failures);
+    moving = this->ReduceShares(failures);
     if (moving.empty())
     {
       this->Guard.RollBack();
@@ -233,7 +234,7 @@ bool Passes::Settle(const Points& motion, double leastQuality, ProgressMonitor& 
   }
   this->Guard.Accept();
   ParallelFor(
-    this->Size(), [&](Index i) { this->Adaption[i] *= this->Share[i] == 1 ? Release : 1; });
+    this->Size(), [&](Index i) { this->AdaptiveFactors[i] *= this->Share[i] == 1 ? Release : 1; });
   return true;
 }
 
@@ -243,7 +244,7 @@ Index Passes::CountRolledBack() const
   for (Index i = 0; i < this->Size(); ++i)
   {
     count +=
-      this->Problem.motion.freedom[i] != DisplacementConstraints::FIXED && this->Share[i] < 1;
+      this->Problem.constraints.freedom[i] != DisplacementConstraints::FIXED && this->Share[i] < 1;
   }
   return count;
 }
@@ -271,7 +272,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
       result.iterations += solution.iterations;
       result.relativeResidual = solution.relativeResidual;
       const double before = MeanOf(this->Guard.GetAcceptedQuality());
-      if (!this->Settle(
+      if (!this->Backtrack(
             solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
       {
         break;
@@ -287,7 +288,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     if (this->Options.deviation.improveWorstTriangles)
     {
       ImproveWorstTriangles(
-        this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.motion,
+        this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.constraints,
         [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
     }
   }

@@ -14,20 +14,20 @@ namespace
 {
 constexpr double PositionScale = 0.05; ///< s
 constexpr double LeastPositionWeight = 1e-4;
-constexpr double GoodQuality = 0.5; ///< t from which a vertex is held with its full weight
+constexpr double GoodQuality = 0.5; ///< t from which a vertex has its full weight
 
-/// Hubs and their neighbours stay: thousands of triangles that meet in a point are close to each
-/// other everywhere, and the guard would compare all of them.
-void HoldHubs(const Triangles& triangles, const MeshTopology& topology, Mask& freedom)
+/// Vertices of high valence and their neighbours stay: thousands of triangles that meet in a point
+/// are close to each other everywhere, and the guard would compare all of them.
+void FixHighValenceVertices(const Triangles& triangles, const MeshTopology& topology, Mask& freedom)
 {
   for (Index i = 0; i < topology.vertices; ++i)
   {
-    if (topology.IsHub(i))
+    if (topology.HasHighValence(i))
     {
       const AdjacencyLists& cornersAt = topology.cornersAt;
-      for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+      for (const Index corner : cornersAt[i])
       {
-        for (const Index j : triangles.row(*corner / 3))
+        for (const Index j : triangles.row(corner / 3))
         {
           freedom[j] = DisplacementConstraints::FIXED;
         }
@@ -38,17 +38,17 @@ void HoldHubs(const Triangles& triangles, const MeshTopology& topology, Mask& fr
 }
 
 LeastSquaresProblem SetUpTangentialProblem(
-  const MeshQuantities& mesh, const DisplacementConstraints& motion)
+  const MeshQuantities& mesh, const DisplacementConstraints& constraints)
 {
   const MeshTopology& topology = mesh.GetTopology();
   LeastSquaresProblem problem;
   problem.laplacian.L = mesh.GetUniformLaplacian();
   problem.laplacian.weights = Vector::Zero(topology.vertices);
-  problem.motion = motion;
-  HoldHubs(mesh.GetTriangles(), topology, problem.motion.freedom);
+  problem.constraints = constraints;
+  FixHighValenceVertices(mesh.GetTriangles(), topology, problem.constraints.freedom);
   for (Index i = 0; i < topology.vertices; ++i)
   {
-    auto& freedom = problem.motion.freedom[i];
+    auto& freedom = problem.constraints.freedom[i];
     if (freedom == DisplacementConstraints::FREE)
     {
       problem.laplacian.weights[i] = 1;
@@ -61,15 +61,15 @@ LeastSquaresProblem SetUpTangentialProblem(
 void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
   LeastSquaresProblem& problem)
 {
-  DisplacementConstraints& motion = problem.motion;
-  motion.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
+  DisplacementConstraints& constraints = problem.constraints;
+  constraints.axes = VertexNormals(V, mesh.GetTriangles(), mesh.GetTopology());
   std::vector<PolylineRow> rows;
   ForEachLineVertex(features,
     [&](Index i, Index previous, Index next)
     {
       const Vector3 tangent = (V.row(next) - V.row(previous)).stableNormalized();
-      motion.axes.row(i) = tangent;
-      if (motion.freedom[i] == DisplacementConstraints::ALONG_LINE)
+      constraints.axes.row(i) = tangent;
+      if (constraints.freedom[i] == DisplacementConstraints::ALONG_LINE)
       {
         const Vector3 laplacian = 0.5 * (V.row(previous) + V.row(next)) - V.row(i);
         rows.push_back({ i, previous, next, 1, -laplacian.dot(tangent) * tangent });
@@ -83,15 +83,15 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
       // c = f - L_u V with f = n n^T L_u V
       const Vector3 laplacian =
         -problem.laplacian.L.rowScale[i] * StiffnessRow(problem.laplacian.L, V, i);
-      const Vector3 normal = motion.axes.row(i);
+      const Vector3 normal = constraints.axes.row(i);
       target->row(i) = laplacian.dot(normal) * normal - laplacian;
     });
   problem.laplacian.target = std::move(target);
-  motion.RestrictAxes();
+  constraints.RestrictAxes();
 }
 
 void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,
-  const Vector& triangleQuality, const Vector& adaption, LeastSquaresProblem& problem)
+  const Vector& triangleQuality, const Vector& adaptiveFactors, LeastSquaresProblem& problem)
 {
   const Index size = mesh.GetTopology().vertices;
   const Vector quality = MinimumAtVertices(triangleQuality, mesh.GetTriangles(), size);
@@ -101,7 +101,7 @@ void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,
     {
       const double shape = std::min(1.0, quality[i] / GoodQuality);
       problem.position.weights[i] =
-        std::max(LeastPositionWeight, PositionScale * cumulative[i] * adaption[i] * shape);
+        std::max(LeastPositionWeight, PositionScale * cumulative[i] * adaptiveFactors[i] * shape);
     });
 }
 }

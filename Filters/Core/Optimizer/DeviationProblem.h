@@ -10,11 +10,11 @@
 namespace lmo
 {
 /// The problem of a pass within a deviation (Eqn. 11), without its targets and position weights:
-/// free vertices move in their tangent planes, hubs and their neighbours stay.
+/// free vertices move in their tangent planes, vertices of high valence and their neighbours stay.
 LeastSquaresProblem SetUpTangentialProblem(
-  const MeshQuantities& mesh, const DisplacementConstraints& motion);
+  const MeshQuantities& mesh, const DisplacementConstraints& constraints);
 
-/// Sets the part of L_u V along the normals as the target, and the axes of motion.
+/// Sets the part of L_u V along the normals as the target, and the axes of the constraints.
 /// \param V where the vertices are now
 void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
   LeastSquaresProblem& problem);
@@ -22,9 +22,9 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
 /// Sets W_p: cumulative weights, smaller at bad triangles.
 /// \param cumulative C(kappa) of Eqn. 13
 /// \param triangleQuality radius ratios as they are now
-/// \param adaption factor of each vertex
+/// \param adaptiveFactors factor of each vertex
 void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,
-  const Vector& triangleQuality, const Vector& adaption, LeastSquaresProblem& problem);
+  const Vector& triangleQuality, const Vector& adaptiveFactors, LeastSquaresProblem& problem);
 }
 
 #endif

@@ -35,7 +35,7 @@ Mask ClosedRegions(const Triangles& triangles, const Sides& sides, Index count)
   Mask isClosed(count, 0);
   for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
   {
-    if (IsCollapsed(triangles, t))
+    if (IsDegenerate(triangles, t))
     {
       continue;
     }
@@ -110,7 +110,7 @@ void RemoveOpenRegions(const Triangles& triangles, EnclosedRegions& regions)
       {
         continue;
       }
-      isOpen[region] |= !isClosed[region] && !IsCollapsed(triangles, t);
+      isOpen[region] |= !isClosed[region] && !IsDegenerate(triangles, t);
       number[region] = isClosed[region] && number[region] == None ? count++ : number[region];
       region = number[region];
     }
@@ -152,7 +152,7 @@ RegionVolumes MeasureVolumes(
     for (int side = 0; side < 2; ++side)
     {
       const Index region = regions.sides(t, side);
-      if (region == None || IsCollapsed(triangles, t))
+      if (region == None || IsDegenerate(triangles, t))
       {
         continue;
       }

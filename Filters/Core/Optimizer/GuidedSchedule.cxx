@@ -22,7 +22,7 @@ Solution Follow(const MeshQuantities& mesh, const RunPlan& plan, const Points& n
 {
   const Points& start = StartOf(mesh, plan);
   return FollowNormals(start, mesh.GetTriangles(), mesh.GetTopology(), normals,
-    plan.problem.laplacian.L, plan.problem.motion, plan.options.guide.detailWeight,
+    plan.problem.laplacian.L, plan.problem.constraints, plan.options.guide.detailWeight,
     positions - start, solver, monitor);
 }
 }

@@ -19,9 +19,9 @@ constexpr double FreeEigenvalue = 0.05; ///< of a direction that is free, per tr
 Matrix3 FreeDirections(const AdjacencyLists& cornersAt, const Points& normals, Index i)
 {
   Matrix3 tensor = Matrix3::Zero();
-  for (const Index* corner = cornersAt.Begin(i); corner != cornersAt.End(i); ++corner)
+  for (const Index corner : cornersAt[i])
   {
-    tensor += normals.row(*corner / 3).transpose() * normals.row(*corner / 3);
+    tensor += normals.row(corner / 3).transpose() * normals.row(corner / 3);
   }
   const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(tensor);
   Matrix3 free = Matrix3::Zero();
@@ -37,12 +37,12 @@ Matrix3 FreeDirections(const AdjacencyLists& cornersAt, const Points& normals, I
 }
 
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const Points& normals, const Laplacian& L, const DisplacementConstraints& motion,
+  const Points& normals, const Laplacian& L, const DisplacementConstraints& constraints,
   double detailWeight, Points guess, const SolverOptions& options, ProgressMonitor& monitor)
 {
   const Index size = topology.vertices;
   LeastSquaresProblem problem;
-  problem.motion = motion;
+  problem.constraints = constraints;
   problem.position.weights = Vector::Constant(size, detailWeight);
   problem.normalAlignment = NormalAlignmentTerm(V, triangles, topology.cornersAt, normals);
   problem.laplacian.L = L;
@@ -53,7 +53,7 @@ Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTo
     [&](Index i)
     {
       problem.laplacian.projectors[i] = FreeDirections(topology.cornersAt, normals, i);
-      guess.row(i) = motion.Project(i, guess.row(i));
+      guess.row(i) = constraints.Project(i, guess.row(i));
     });
   return SolveByDiagonal(problem, options, monitor, std::move(guess));
 }

@@ -40,7 +40,7 @@ enum class LaplacianWeighting
 
 enum class BoundaryCondition
 {
-  FIXED,   ///< no motion, no Laplacian row
+  FIXED,   ///< no displacement, no Laplacian row
   SLIDING, ///< along the boundary curve, with a Laplacian row of the curve
   FREE,    ///< as inner vertices
   CURVE    ///< smoothed as a curve of its own where the mode smooths, otherwise SLIDING
@@ -88,7 +88,7 @@ struct OptimizerOptions
   bool preserveVolume = false;
   bool twicing = false;
   bool computeNormals = false; ///< fill OptimizerResult::normals
-  bool roundToFloat = false;   ///< round V' as the caller will, so that all figures fit it
+  bool roundToFloat = false;   ///< round V' as the caller will, so that all metrics fit it
 };
 
 /// Values that the user may give for each vertex, and one for each triangle.

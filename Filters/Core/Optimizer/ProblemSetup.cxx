@@ -48,7 +48,7 @@ Vector LinearScheme(const CotangentQuantities& quantities, const OptimizerOption
     return linear;
   }
   Vector sharp = SharpVertices(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology());
-  mesh.GetSubdomain().UpdateCopies(sharp);
+  mesh.GetSubdomain().UpdateGhosts(sharp);
   return linear.cwiseMax(sharp);
 }
 
@@ -245,28 +245,29 @@ Vector ClassesOf(const FeatureLines& lines)
 }
 
 /// What each vertex may do.
-DisplacementConstraints ChooseMotion(const MeshTopology& topology, const OptimizerOptions& options,
-  const VertexArrays& arrays, const std::optional<FeatureLines>& lines)
+DisplacementConstraints ChooseConstraints(const MeshTopology& topology,
+  const OptimizerOptions& options, const VertexArrays& arrays,
+  const std::optional<FeatureLines>& lines)
 {
-  DisplacementConstraints motion;
-  motion.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
+  DisplacementConstraints constraints;
+  constraints.freedom = FixedVertices(topology, options.boundaryCondition, arrays);
   ParallelFor(topology.vertices,
     [&](Index i)
     {
       const bool isFixed =
-        motion.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
+        constraints.freedom[i] || (lines && lines->pointClass[i] == FeatureLines::CORNER);
       const bool slides = lines && lines->pointClass[i] == FeatureLines::EDGE;
-      motion.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
-                          : slides ? DisplacementConstraints::ALONG_LINE
-                                   : DisplacementConstraints::FREE;
+      constraints.freedom[i] = isFixed  ? DisplacementConstraints::FIXED
+                               : slides ? DisplacementConstraints::ALONG_LINE
+                                        : DisplacementConstraints::FREE;
     });
-  motion.freeAxes = options.freeAxes;
+  constraints.freeAxes = options.freeAxes;
   if (lines)
   {
-    motion.axes = lines->tangents;
-    motion.RestrictAxes();
+    constraints.axes = lines->tangents;
+    constraints.RestrictAxes();
   }
-  return motion;
+  return constraints;
 }
 
 /// Eqn. 11 for the options.
@@ -279,12 +280,12 @@ LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities, Laplacia
   problem.laplacian.L = ChooseLaplacian(quantities, type, options.boundaryCondition, lines);
   if (type == LaplacianType::COTANGENT)
   {
-    problem.laplacian.softEdgeWeights = quantities.GetWeights()->GetSoftEdgeWeights();
+    problem.laplacian.clampedEdgeWeights = quantities.GetWeights()->GetClampedEdgeWeights();
   }
   problem.laplacian.weights = LaplacianWeights(quantities, options, arrays);
   problem.laplacian.target = ChooseTarget(quantities, problem.laplacian.L, options, arrays);
   problem.position.weights = PositionWeights(quantities, options, arrays);
-  problem.motion = ChooseMotion(mesh.GetTopology(), options, arrays, lines);
+  problem.constraints = ChooseConstraints(mesh.GetTopology(), options, arrays, lines);
   if (lines)
   {
     problem.polylines = PolylineTerm(
@@ -311,11 +312,11 @@ Vector PositionWeights(const CotangentQuantities& quantities, const OptimizerOpt
   {
     weights.array() *= mesh.GetQuality()->vertices.array().cwiseMax(0);
   }
-  const Index loose = ParallelSum(topology.vertices, Index(0),
+  const Index unconstrained = ParallelSum(topology.vertices, Index(0),
     [&](Index& count, Index i) { count += topology.isUsed[i] && weights[i] <= 0; });
-  if (mesh.GetSubdomain().Maximum(loose) > 0)
+  if (mesh.GetSubdomain().Maximum(unconstrained) > 0)
   {
-    HoldLooseComponents(mesh.GetComponents(),
+    WeightUnconstrainedComponents(mesh.GetComponents(),
       FixedVertices(topology, options.boundaryCondition, arrays), options.scaleFactor, weights,
       mesh.GetSubdomain());
   }
@@ -360,8 +361,8 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
   }
   if (options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION)
   {
-    plan.problem =
-      SetUpTangentialProblem(mesh, ChooseMotion(mesh.GetTopology(), options, arrays, plan.lines));
+    plan.problem = SetUpTangentialProblem(
+      mesh, ChooseConstraints(mesh.GetTopology(), options, arrays, plan.lines));
     plan.problem.position.weights = quantities.GetCumulativeWeights();
   }
   else
@@ -373,7 +374,7 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
     plan.regions = FindEnclosedRegions(
       mesh.GetTriangles(), mesh.GetComponents(), arrays.labels.value_or(TriangleLabels()));
   }
-  plan.freedom = CountFreedom(mesh, plan.problem.motion, options, arrays);
+  plan.freedom = CountFreedom(mesh, plan.problem.constraints, options, arrays);
   return plan;
 }
 }

@@ -123,7 +123,7 @@ void VertexFreedom::operator+=(const VertexFreedom& other)
   this->corners += other.corners;
 }
 
-VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& motion,
+VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& constraints,
   const OptimizerOptions& options, const VertexArrays& arrays)
 {
   const MeshTopology& topology = mesh.GetTopology();
@@ -137,7 +137,7 @@ VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstra
       {
         return;
       }
-      const bool isMovable = motion.freedom[i] != DisplacementConstraints::FIXED;
+      const bool isMovable = constraints.freedom[i] != DisplacementConstraints::FIXED;
       const bool isPinned = arrays.fixedPoints && (*arrays.fixedPoints)[i] != 0;
       std::int64_t& reason = isMovable                                   ? sum.movable
                              : !topology.isUsed[i]                       ? sum.unused

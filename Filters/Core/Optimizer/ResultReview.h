@@ -26,8 +26,8 @@ struct VertexFreedom
   void operator+=(const VertexFreedom& other);
 };
 
-/// \param motion what ChooseMotion() returned
-VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& motion,
+/// \param constraints what ChooseConstraints() returned
+VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstraints& constraints,
   const OptimizerOptions& options, const VertexArrays& arrays);
 
 /// Says that no vertex may move, or that those that may have no triangle with area, with counts

@@ -36,7 +36,7 @@ void ProjectOntoLines(const MeshQuantities& mesh, const RunPlan& plan, Points& p
   if (plan.lines)
   {
     mesh.GetSubdomain().ProjectOntoLines(*plan.lines, mesh.GetPoints(), positions);
-    mesh.GetSubdomain().UpdateCopies(positions);
+    mesh.GetSubdomain().UpdateGhosts(positions);
   }
 }
 
@@ -46,7 +46,7 @@ void RestoreVolumes(const MeshQuantities& mesh, const RunPlan& plan, ModeResult&
   if (plan.regions.count > 0)
   {
     result.unpreservedVolumes += RestoreVolumes(mesh.GetPoints(), mesh.GetTriangles(),
-      mesh.GetTopology(), plan.regions, plan.problem.motion, result.positions);
+      mesh.GetTopology(), plan.regions, plan.problem.constraints, result.positions);
   }
 }
 }

@@ -13,7 +13,7 @@ void SmoothTwice(LeastSquaresProblem& problem, const Points& d)
   problem.laplacian.target = std::make_shared<const Points>(Apply(problem.laplacian.L, d));
   for (PolylineRow& row : problem.polylines.rows)
   {
-    const Vector3 tangent = problem.motion.axes.row(row.vertex);
+    const Vector3 tangent = problem.constraints.axes.row(row.vertex);
     const Vector3 laplacian = 0.5 * (d.row(row.previous) + d.row(row.next)) - d.row(row.vertex);
     row.target = laplacian.dot(tangent) * tangent;
   }

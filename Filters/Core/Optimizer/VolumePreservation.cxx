@@ -32,9 +32,9 @@ RegionVectors VolumeGradients(const Points& V, const Triangles& triangles,
 {
   RegionVectors gradients;
   const AdjacencyLists& corners = topology.cornersAt;
-  for (const Index* corner = corners.Begin(i); corner != corners.End(i); ++corner)
+  for (const Index corner : corners[i])
   {
-    const Index t = *corner / 3;
+    const Index t = corner / 3;
     for (int side = 0; side < 2; ++side)
     {
       const Index region = regions.sides(t, side);
@@ -167,7 +167,7 @@ private:
     {
       const Index t = corner / 3;
       const Index i = this->T.data()[corner];
-      if (IsCollapsed(this->T, t) || regionsAt.Size(i) == 0)
+      if (IsDegenerate(this->T, t) || regionsAt.Size(i) == 0)
       {
         continue;
       }

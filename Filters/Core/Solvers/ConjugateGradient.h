@@ -15,7 +15,7 @@ namespace lmo
 /// der Vorst and Ye 2000), so that single precision reaches any tolerance at half the memory
 /// traffic.
 ///
-/// On a part of a mesh the processes iterate together. Copies are FIXED there: their owners move
+/// On a part of a mesh the processes iterate together. Ghosts are FIXED there: their owners move
 /// them, and their rows drop out of all sums.
 template <typename Scalar, typename Preconditioner>
 class ConjugateGradient

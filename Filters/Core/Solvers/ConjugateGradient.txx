@@ -151,10 +151,10 @@ void ConjugateGradient<Scalar, Preconditioner>::Collect(Points& d)
     {
       const Row step = this->Steps.col(i) + alpha * this->Direction.col(i);
       const Vector3 exactStep = step.template head<3>().template cast<double>().matrix();
-      d.row(i) += this->Scale * this->Problem.motion.Project(i, exactStep);
+      d.row(i) += this->Scale * this->Problem.constraints.Project(i, exactStep);
       this->Steps.col(i).setZero();
     });
-  this->Domain.UpdateCopies(d);
+  this->Domain.UpdateGhosts(d);
   this->Alpha.setZero();
 }
 
@@ -171,7 +171,7 @@ void ConjugateGradient<Scalar, Preconditioner>::UpdateDirection(const Dots& beta
       steps.col(i) += alpha * p;
       direction.col(i) = M(i, residual.col(i)) + beta * p;
     });
-  this->Domain.UpdateCopies(this->Direction);
+  this->Domain.UpdateGhosts(this->Direction);
 }
 }
 

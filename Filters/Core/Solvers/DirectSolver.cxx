@@ -58,27 +58,27 @@ void CheckDensity(const LeastSquaresProblem& problem)
 
 /// Replaces the rows and columns of fixed vertices and of vertices that no term touches by the
 /// identity.
-void EliminateFixed(const DisplacementConstraints& motion, SparseMatrix& A)
+void EliminateFixed(const DisplacementConstraints& constraints, SparseMatrix& A)
 {
   A.prune(
     [&](Index row, Index column, double)
     {
-      return row == column || (motion.freedom[row] != DisplacementConstraints::FIXED &&
-                                motion.freedom[column] != DisplacementConstraints::FIXED);
+      return row == column || (constraints.freedom[row] != DisplacementConstraints::FIXED &&
+                                constraints.freedom[column] != DisplacementConstraints::FIXED);
     });
   for (Index i = 0; i < A.rows(); ++i)
   {
     double& diagonal = A.coeffRef(i, i);
-    if (motion.freedom[i] == DisplacementConstraints::FIXED || diagonal == 0)
+    if (constraints.freedom[i] == DisplacementConstraints::FIXED || diagonal == 0)
     {
       diagonal = 1;
     }
   }
 }
 
-/// P (A kron I + blocks) P + (I - P), where P projects on the motion allowed; vertex i has the rows
-/// 3i, 3i + 1, 3i + 2.
-SparseMatrix FormCoupledMatrix(const DisplacementConstraints& motion, const SparseMatrix& A,
+/// P (A kron I + blocks) P + (I - P), where P projects on the displacements allowed; vertex i has
+/// the rows 3i, 3i + 1, 3i + 2.
+SparseMatrix FormCoupledMatrix(const DisplacementConstraints& constraints, const SparseMatrix& A,
   const std::vector<BlockEntry>& blocks)
 {
   std::vector<Eigen::Triplet<double, Index>> entries;
@@ -97,7 +97,7 @@ SparseMatrix FormCoupledMatrix(const DisplacementConstraints& motion, const Spar
   {
     for (int d = 0; d < 3; ++d)
     {
-      addColumn(i, j, d, motion.Project(i, motion.Project(j, Vector3::Unit(d)) * block));
+      addColumn(i, j, d, constraints.Project(i, constraints.Project(j, Vector3::Unit(d)) * block));
     }
   };
   for (Index j = 0; j < A.cols(); ++j)
@@ -109,7 +109,7 @@ SparseMatrix FormCoupledMatrix(const DisplacementConstraints& motion, const Spar
     for (int d = 0; d < 3; ++d)
     {
       const Vector3 unit = Vector3::Unit(d);
-      addColumn(j, j, d, unit - motion.Project(j, unit));
+      addColumn(j, j, d, unit - constraints.Project(j, unit));
     }
   }
   for (const BlockEntry& block : blocks)
@@ -129,8 +129,8 @@ SparseMatrix NormalMatrix(const LeastSquaresProblem& problem)
   std::apply([&](const auto&... terms) { (terms.AddEntries(entries), ...); }, problem.Terms());
   SparseMatrix A(problem.Size(), problem.Size());
   A.setFromTriplets(entries.isotropic.begin(), entries.isotropic.end());
-  EliminateFixed(problem.motion, A);
-  return problem.IsCoupled() ? FormCoupledMatrix(problem.motion, A, entries.coupled) : A;
+  EliminateFixed(problem.constraints, A);
+  return problem.IsCoupled() ? FormCoupledMatrix(problem.constraints, A, entries.coupled) : A;
 }
 
 namespace

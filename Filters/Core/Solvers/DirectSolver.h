@@ -9,8 +9,8 @@
 namespace lmo
 {
 /// The matrix A of the normal equations, formed: n x n for x, y and z alike, or, if the problem is
-/// coupled, 3n x 3n with the rows 3i, 3i + 1, 3i + 2 for vertex i. Motion that is not allowed has
-/// rows and columns of the identity.
+/// coupled, 3n x 3n with the rows 3i, 3i + 1, 3i + 2 for vertex i. A displacement that is not
+/// allowed has rows and columns of the identity.
 SparseMatrix NormalMatrix(const LeastSquaresProblem& problem);
 
 /// Solves the normal equations of a problem by a sparse factorisation: n x n for x, y and z at

@@ -13,18 +13,19 @@ namespace lmo
 namespace
 {
 /// The inverse of P B P within the displacements allowed, on which P projects; 0 on the others.
-Matrix3 InverseWithin(const DisplacementConstraints& motion, Index i, const DiagonalBlock& block)
+Matrix3 InverseWithin(
+  const DisplacementConstraints& constraints, Index i, const DiagonalBlock& block)
 {
   constexpr double smallestRatio = 1e-12; // keeps rounding from making B singular
   const double a = std::max(block.isotropic, smallestRatio * block.coupled.trace());
-  if (motion.freedom[i] == DisplacementConstraints::FREE)
+  if (constraints.freedom[i] == DisplacementConstraints::FREE)
   {
     return Matrix3(a * Matrix3::Identity() + block.coupled).inverse();
   }
   Matrix3 P;
   for (int c = 0; c < 3; ++c)
   {
-    P.row(c) = motion.Project(i, Vector3::Unit(c));
+    P.row(c) = constraints.Project(i, Vector3::Unit(c));
   }
   const Matrix3 B = a * Matrix3::Identity() + P * block.coupled * P;
   return P * B.inverse() * P;
@@ -44,11 +45,11 @@ JacobiPreconditioner<Scalar>::JacobiPreconditioner(const LeastSquaresProblem& pr
       const DiagonalBlock block = DiagonalAt(problem, i);
       if (isCoupled)
       {
-        StoreMatrix(InverseWithin(problem.motion, i, block), i, this->InverseBlocks);
+        StoreMatrix(InverseWithin(problem.constraints, i, block), i, this->InverseBlocks);
       }
       else
       {
-        const bool isFixed = problem.motion.freedom[i] == DisplacementConstraints::FIXED;
+        const bool isFixed = problem.constraints.freedom[i] == DisplacementConstraints::FIXED;
         this->InverseDiagonal[i] = static_cast<Scalar>(isFixed ? 0 : 1 / block.isotropic);
       }
     });

@@ -33,7 +33,7 @@ double ExpectedJacobiIterations(const LeastSquaresProblem& problem)
     {
       const double rowWeight =
         WeightSum(problem.laplacian.L, i) * std::sqrt(problem.laplacian.RowWeight(i));
-      const bool isFree = problem.motion.freedom[i] != DisplacementConstraints::FIXED;
+      const bool isFree = problem.constraints.freedom[i] != DisplacementConstraints::FIXED;
       total += isFree && problem.position.weights[i] < rowWeight
                  ? problem.position.weights[i] / rowWeight
                  : 1;
@@ -111,7 +111,7 @@ private:
   {
     this->Monitor.Report(0);
     this->Shifted = std::make_shared<const ShiftedStiffness>(
-      this->Problem, this->A->GetStiffness(), this->Problem.laplacian.softEdgeWeights);
+      this->Problem, this->A->GetStiffness(), this->Problem.laplacian.clampedEdgeWeights);
     return this->IterateWith(
       this->Inverses.GetMultigrid(this->Shifted, this->Monitor), affordable, start);
   }
@@ -120,7 +120,7 @@ private:
   Solution IterateWithFactorisation(Index affordable, const Solution& start)
   {
     this->Monitor.Report(0);
-    if (!this->Shifted || this->Problem.laplacian.softEdgeWeights)
+    if (!this->Shifted || this->Problem.laplacian.clampedEdgeWeights)
     {
       this->Shifted =
         std::make_shared<const ShiftedStiffness>(this->Problem, this->A->GetStiffness());

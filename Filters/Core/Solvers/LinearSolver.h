@@ -18,7 +18,7 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
   ProgressMonitor& monitor, PreconditionerCache& inverses);
 
 /// The same by conjugate gradients with the diagonal alone, for problems that are known to suit it.
-/// \param guess of the displacement, within the motion allowed; no rows stand for 0
+/// \param guess of the displacement, within the displacements allowed; no rows stand for 0
 Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
   ProgressMonitor& monitor, Points guess = Points(0, 3));
 }
