@@ -131,8 +131,9 @@ void CheckVolumes(Checks& c)
   c.Equal("a volume that is preserved gives no warning",
     WarningsOf(sphere, Optimizer::SMOOTH, preserve), std::string());
   labels->SetTuple2(7, 2, 3);
-  c.True("labels that enclose nothing give one", Has(WarningsOf(sphere, Optimizer::SMOOTH, preserve),
-                                                   "The volume of 4 components or labels is not"));
+  c.True(
+    "labels that enclose nothing give one", Has(WarningsOf(sphere, Optimizer::SMOOTH, preserve),
+                                              "The volume of 4 components or labels is not"));
 }
 
 void CheckDefault(Checks& c)
