@@ -209,6 +209,15 @@ int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation
   return 1;
 }
 
+int vtkLaplacianMeshOptimizer::UpdateMetrics()
+{
+  if (this->State)
+  {
+    this->Update();
+  }
+  return this->State != nullptr;
+}
+
 int vtkLaplacianMeshOptimizer::RequestInformation(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

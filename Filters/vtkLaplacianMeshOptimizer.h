@@ -332,10 +332,19 @@ public:
   /**
    * For OPTIMIZE_WITHIN_DEVIATION: the largest distance allowed between the surfaces before and
    * after, every point of either to the other (Hausdorff), divided by the diagonal of the bounding
-   * box. Range: more than 0, up to 1. Default: 0.002.
+   * box. Range: more than 0, up to 1; with DeviationIsAbsolute, more than 0. Default: 0.002.
    */
   vtkSetMacro(MaximumDeviation, double);
   vtkGetMacro(MaximumDeviation, double);
+  ///@}
+
+  ///@{
+  /**
+   * MaximumDeviation is a length in the unit of the points, not a fraction. Default: off.
+   */
+  vtkSetMacro(DeviationIsAbsolute, vtkTypeBool);
+  vtkGetMacro(DeviationIsAbsolute, vtkTypeBool);
+  vtkBooleanMacro(DeviationIsAbsolute, vtkTypeBool);
   ///@}
 
   ///@{
@@ -546,12 +555,15 @@ public:
    */
   vtkGetMacro(RelativeResidual, double);
 
+  ///@{
   /**
    * For OPTIMIZE_WITHIN_DEVIATION: guaranteed upper bound of the Hausdorff distance between input
-   * and output, divided by the diagonal of the bounding box. Zero in all other modes, like the two
-   * metrics that follow.
+   * and output, as a length and divided by the diagonal of the bounding box. Zero in all other
+   * modes, like the two metrics that follow.
    */
+  vtkGetMacro(HausdorffBound, double);
   vtkGetMacro(RelativeHausdorffBound, double);
+  ///@}
 
   /**
    * Passes that moved the surface.
@@ -562,6 +574,15 @@ public:
    * Number of points that the last pass moved less than its equations asked for.
    */
   vtkGetMacro(RolledBackPoints, vtkIdType);
+
+  /**
+   * Executes the filter if it has executed before and its output is out of date. ParaView reads the
+   * metrics before it executes the filter: it calls this first, so that they are those of the
+   * properties that were applied.
+   * \return 1 if the metrics are up to date; 0 before the first execution and over several
+   * processes
+   */
+  virtual int UpdateMetrics();
 
 protected:
   vtkLaplacianMeshOptimizer();
@@ -594,6 +615,7 @@ protected:
   double Tolerance = 1e-6;
   int MaximumNumberOfIterations = 5000;
   double MaximumDeviation = 0.002;
+  vtkTypeBool DeviationIsAbsolute = 0;
   int NumberOfPasses = 5;
   vtkTypeBool ImproveWorstTriangles = 1;
   vtkTypeBool FeatureConstraints = 0;
@@ -620,6 +642,7 @@ protected:
   vtkIdType FlippedTriangles = 0;
   int Iterations = 0;
   double RelativeResidual = 0;
+  double HausdorffBound = 0;
   double RelativeHausdorffBound = 0;
   int Passes = 0;
   vtkIdType RolledBackPoints = 0;

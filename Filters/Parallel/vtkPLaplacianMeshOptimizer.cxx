@@ -223,6 +223,12 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkPLaplacianMeshOptimizer::
   return std::make_unique<DistributedSession>(this);
 }
 
+int vtkPLaplacianMeshOptimizer::UpdateMetrics()
+{
+  const bool isAlone = !this->Controller || this->Controller->GetNumberOfProcesses() < 2;
+  return isAlone ? this->Superclass::UpdateMetrics() : 0;
+}
+
 int vtkPLaplacianMeshOptimizer::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -55,6 +55,11 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  /**
+   * Over several processes, which have to execute together, this executes nothing.
+   */
+  int UpdateMetrics() override;
+
 protected:
   vtkPLaplacianMeshOptimizer();
   ~vtkPLaplacianMeshOptimizer() override;

@@ -75,7 +75,9 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("Tolerance", filter.Tolerance, fraction, options.solver.tolerance);
     row("MaximumNumberOfIterations", filter.MaximumNumberOfIterations, positive,
       options.solver.maximumIterations);
-    row("MaximumDeviation", filter.MaximumDeviation, deviation, options.deviation.maximum);
+    row("MaximumDeviation", filter.MaximumDeviation,
+      filter.DeviationIsAbsolute ? positive : deviation, options.deviation.maximum);
+    row("DeviationIsAbsolute", filter.DeviationIsAbsolute, Switch{}, options.deviation.isAbsolute);
     row("NumberOfPasses", filter.NumberOfPasses, positive, options.deviation.passes);
     row("ImproveWorstTriangles", filter.ImproveWorstTriangles, Switch{},
       options.deviation.improveWorstTriangles);
@@ -117,6 +119,7 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("FlippedTriangles", filter.FlippedTriangles, comparison.flippedTriangles);
     row("Iterations", filter.Iterations, result.iterations);
     row("RelativeResidual", filter.RelativeResidual, result.relativeResidual);
+    row("HausdorffBound", filter.HausdorffBound, deviation.bound, isWithin);
     row("RelativeHausdorffBound", filter.RelativeHausdorffBound, deviation.relativeBound, isWithin);
     row("Passes", filter.Passes, deviation.passes, isWithin);
     row("RolledBackPoints", filter.RolledBackPoints, deviation.rolledBack, isWithin);

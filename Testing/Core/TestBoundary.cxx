@@ -6,6 +6,7 @@
 
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/CotangentQuantities.h"
+#include "Core/Optimizer/ChosenWeights.h"
 #include "Core/Optimizer/ProblemSetup.h"
 
 #include <cmath>

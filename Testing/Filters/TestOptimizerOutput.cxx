@@ -128,11 +128,38 @@ void CheckProofs(Checks& c)
   smooth->Update();
   c.Equal("the proved distance is a field array",
     FieldValue(within->GetOutput(), "RelativeHausdorffBound"), within->GetRelativeHausdorffBound());
-  for (const char* name : { "RelativeHausdorffBound", "Passes", "RolledBackPoints" })
+  for (const char* name :
+    { "HausdorffBound", "RelativeHausdorffBound", "Passes", "RolledBackPoints" })
   {
     c.True(std::string("smoothing proves nothing: ") + name,
       !smooth->GetOutput()->GetFieldData()->HasArray(name));
   }
+}
+
+/// A length in place of a fraction of the diagonal gives the same result.
+void CheckAbsoluteDeviation(Checks& c)
+{
+  const auto input = MakePolyData(WithThinTriangles(Icosphere(3, 50)));
+  const vtkNew<Optimizer> relative;
+  relative->SetInputData(input);
+  relative->SetMaximumDeviation(0.001);
+  relative->Update();
+  const vtkNew<Optimizer> absolute;
+  absolute->SetInputData(input);
+  absolute->DeviationIsAbsoluteOn();
+  absolute->SetMaximumDeviation(0.001 * input->GetLength());
+  absolute->Update();
+  c.Error("a length is the same as its fraction of the diagonal",
+    MaximumDistance(PointsOf(relative->GetOutput()), PointsOf(absolute->GetOutput())), 0);
+  c.Greater("the length may be above 1", absolute->GetHausdorffBound(), 0.01);
+  c.Error("both bounds are one",
+    std::abs(
+      absolute->GetHausdorffBound() / input->GetLength() - absolute->GetRelativeHausdorffBound()),
+    1e-15);
+  absolute->SetMaximumDeviation(2);
+  c.True("a length above 1 is no error", Update(absolute).errors.empty());
+  absolute->DeviationIsAbsoluteOff();
+  c.True("a fraction above 1 is one", !Update(absolute).errors.empty());
 }
 
 void CheckMetrics(Checks& c)
@@ -211,6 +238,7 @@ int TestOptimizerOutput(int argc, char* argv[])
   groups.Run("RadiusRatios", CheckRadiusRatios);
   groups.Run("OpenSurface", CheckOpenSurface);
   groups.Run("Proofs", CheckProofs);
+  groups.Run("AbsoluteDeviation", CheckAbsoluteDeviation);
   groups.Run("Metrics", CheckMetrics);
   groups.Run("Flips", CheckFlips);
   return groups.Result();

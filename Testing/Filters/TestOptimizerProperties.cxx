@@ -155,8 +155,8 @@ void CheckMetricsOf(Checks& c, int mode)
   for (const auto& [name, value] : MetricsOf(filter))
   {
     const double written = FieldValue(filter->GetOutput(), name.c_str());
-    const bool isOfDeviation =
-      name == "RelativeHausdorffBound" || name == "Passes" || name == "RolledBackPoints";
+    const bool isOfDeviation = name == "HausdorffBound" || name == "RelativeHausdorffBound" ||
+                               name == "Passes" || name == "RolledBackPoints";
     const bool isWritten =
       !isOfDeviation || mode == vtkLaplacianMeshOptimizer::OPTIMIZE_WITHIN_DEVIATION;
     c.True("the field data hold " + name + ofMode + " if it has one",

@@ -30,8 +30,7 @@ using Triangles = Eigen::Matrix<Index, Eigen::Dynamic, 3, Eigen::RowMajor>;
 /// One row per triangle: a value for each of its three corners.
 using CornerValues = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-/// One label of each triangle, or two: those of the regions on its two sides. Behind the normal is
-/// the lower one at all triangles, or the higher one at all.
+/// One label of each triangle, or two: those of the regions on its two sides, the lower one first.
 using TriangleLabels = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::ColMajor, Index>;

@@ -47,6 +47,12 @@ double MeanOf(const Vector& quality)
   return quality.size() > 0 ? quality.mean() : 0;
 }
 
+/// How far the surfaces may be apart.
+double LargestDistance(const MeshQuantities& mesh, const OptimizerOptions& options)
+{
+  return options.deviation.maximum * (options.deviation.isAbsolute ? 1 : mesh.GetDiagonal());
+}
+
 class Passes
 {
 public:
@@ -54,8 +60,7 @@ public:
     : Mesh(mesh)
     , Options(plan.options)
     , Features(*plan.lines)
-    , Distance(std::max(
-        plan.options.deviation.maximum * mesh.GetDiagonal() - RoundOff(mesh.GetBox()), 0.0))
+    , Distance(std::max(LargestDistance(mesh, plan.options) - RoundOff(mesh.GetBox()), 0.0))
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
     , Problem(std::move(plan.problem))
     , Cumulative(std::move(this->Problem.position.weights))
@@ -98,9 +103,9 @@ private:
 
   Index CountRolledBack() const;
 
-  /// Bound of the Hausdorff distance to the accepted mesh, divided by the diagonal: what is
-  /// certified, or the largest displacement if that is smaller.
-  double RelativeBound() const;
+  /// Bound of the Hausdorff distance to the accepted mesh: what is certified, or the largest
+  /// displacement if that is smaller.
+  double Bound() const;
 
   const MeshQuantities& Mesh;
   const OptimizerOptions& Options;
@@ -249,14 +254,13 @@ Index Passes::CountRolledBack() const
   return count;
 }
 
-double Passes::RelativeBound() const
+double Passes::Bound() const
 {
   const double certified = this->Guard.GetBound();
   const double displacement = LargestDisplacement(
     this->Mesh.GetPoints(), this->Guard.GetAccepted(), this->Mesh.GetSubdomain());
   return displacement > 0 && certified > 0
-           ? std::min(certified + RoundOff(this->Mesh.GetBox()), displacement) /
-               this->Mesh.GetDiagonal()
+           ? std::min(certified + RoundOff(this->Mesh.GetBox()), displacement)
            : 0;
 }
 
@@ -297,7 +301,9 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     result.isCancelled = true;
   }
   result.positions = this->Guard.GetAccepted();
-  result.deviation.relativeBound = this->RelativeBound();
+  result.deviation.bound = this->Bound();
+  result.deviation.relativeBound =
+    result.deviation.bound > 0 ? result.deviation.bound / this->Mesh.GetDiagonal() : 0;
   result.positionWeights = std::move(this->Problem.position.weights);
   result.laplacianWeights = std::move(this->Problem.laplacian.weights);
 }

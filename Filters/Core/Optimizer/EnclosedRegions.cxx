@@ -3,6 +3,7 @@
 #include "Core/Optimizer/EnclosedRegions.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Optimizer/LabelShells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -59,18 +60,22 @@ Mask ClosedRegions(const Triangles& triangles, const Sides& sides, Index count)
   return isClosed;
 }
 
-/// Regions by component and label.
+/// Regions by label, and by component or, with two labels, by shell.
 EnclosedRegions LabelRegions(
   const Triangles& triangles, const std::vector<Index>& component, const TriangleLabels& labels)
 {
   EnclosedRegions regions;
   regions.sides = Sides::Constant(triangles.rows(), 2, None);
+  const bool hasBothSides = labels.cols() == 2;
+  const LabelShells shells = hasBothSides ? FindLabelShells(triangles, labels) : LabelShells();
   std::map<std::pair<Index, double>, Index> numbers;
   for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
   {
-    for (Eigen::Index side = 0; side < labels.cols(); ++side)
+    const Index part = hasBothSides ? shells.shell[t] : component[triangles(t, 0)];
+    for (Eigen::Index k = 0; k < labels.cols(); ++k)
     {
-      const auto key = std::make_pair(component[triangles(t, 0)], labels(t, side));
+      const Eigen::Index side = hasBothSides && shells.isTurned[t] ? 1 - k : k;
+      const auto key = std::make_pair(part, labels(t, k));
       regions.sides(t, side) = numbers.emplace(key, Index(numbers.size())).first->second;
     }
   }

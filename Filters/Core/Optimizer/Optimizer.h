@@ -5,8 +5,8 @@
 
 #include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Operators/CotangentQuantities.h"
+#include "Core/Optimizer/ResultReview.h"
 #include "Core/Optimizer/RunPlan.h"
-#include "Core/Optimizer/VolumeLoss.h"
 #include "Core/Solvers/PreconditionerCache.h"
 
 namespace lmo

@@ -49,7 +49,8 @@ enum class BoundaryCondition
 /// Mode::OPTIMIZE_WITHIN_DEVIATION.
 struct DeviationOptions
 {
-  double maximum = 0.002; ///< two-sided Hausdorff distance, divided by the bounding-box diagonal
+  double maximum = 0.002;  ///< two-sided Hausdorff distance, divided by the bounding-box diagonal
+  bool isAbsolute = false; ///< the maximum is a length, not divided
   int passes = 5;
   bool improveWorstTriangles = true;
 };

@@ -3,6 +3,7 @@
 #include "Core/Optimizer/ResultReview.h"
 
 #include "Core/Base/Threading.h"
+#include "Core/Optimizer/EnclosedRegions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,6 +112,13 @@ void WarnOfVolume(const OptimizerOptions& options, const SurfaceComparison& comp
                        Percent(change) + ". " + StrengthRemedy(options));
   }
 }
+
+void Count(VolumeLoss& loss, double change)
+{
+  ++loss.closed;
+  loss.shrunk += change > LargestVolumeChange;
+  loss.largest = std::max(loss.largest, change);
+}
 }
 
 void VertexFreedom::operator+=(const VertexFreedom& other)
@@ -195,6 +203,32 @@ std::string WarnOfFreedom(const VertexFreedom& freedom)
     }
   }
   return counts.empty() ? std::string() : "No point can move:" + counts + "." + remedies;
+}
+
+VolumeLoss MeasureVolumeLoss(const MeshQuantities& mesh, const Points& after)
+{
+  VolumeLoss loss;
+  const EnclosedRegions regions = FindEnclosedRegions(mesh.GetTriangles(), mesh.GetComponents());
+  const RegionVolumes before = MeasureVolumes(mesh.GetPoints(), mesh.GetTriangles(), regions);
+  const RegionVolumes now = MeasureVolumes(after, mesh.GetTriangles(), regions);
+  for (Index k = 0; k < regions.count; ++k)
+  {
+    if (before.IsSignificant(k))
+    {
+      Count(loss, 1 - now.volume[k] / before.volume[k]);
+    }
+  }
+  return loss;
+}
+
+VolumeLoss VolumeLossOfWhole(const SurfaceComparison& comparison)
+{
+  VolumeLoss loss;
+  if (comparison.relativeVolumeChange != 0)
+  {
+    Count(loss, -comparison.relativeVolumeChange);
+  }
+  return loss;
 }
 
 std::string WarnOfUnpreserved(Index volumes)

@@ -3,9 +3,10 @@
 #ifndef lmo_ResultReview_h
 #define lmo_ResultReview_h
 
+#include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Mesh/DisplacementConstraints.h"
+#include "Core/Operators/MeshQuantities.h"
 #include "Core/Optimizer/OptimizerOptions.h"
-#include "Core/Optimizer/VolumeLoss.h"
 
 #include <string>
 #include <vector>
@@ -36,6 +37,23 @@ std::string WarnOfFreedom(const VertexFreedom& freedom);
 
 /// Says how many volumes could not be preserved, and the remedy. Empty if there are none.
 std::string WarnOfUnpreserved(Index volumes);
+
+/// A component that changed its volume by more is worth a warning.
+constexpr double LargestVolumeChange = 0.1;
+
+/// What happened to the volumes of the connected components.
+struct VolumeLoss
+{
+  Index closed = 0;   ///< components that enclose a volume: closed, of one orientation
+  Index shrunk = 0;   ///< those that lost more than a tenth of it
+  double largest = 0; ///< the largest loss, divided by the volume before
+};
+
+/// \param after positions of the vertices of \a mesh, which is no part of a distributed one
+VolumeLoss MeasureVolumeLoss(const MeshQuantities& mesh, const Points& after);
+
+/// The whole surface as one component, for a mesh that is distributed over processes.
+VolumeLoss VolumeLossOfWhole(const SurfaceComparison& comparison);
 
 /// Says what a solution did to the shape that its user will hardly want, with figures and the
 /// remedy, one text for each of these:

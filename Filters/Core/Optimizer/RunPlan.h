@@ -35,11 +35,10 @@ struct RunPlan
 /// What Mode::OPTIMIZE_WITHIN_DEVIATION did.
 struct DeviationReport
 {
-  Index passes = 0;     ///< that moved the surface
-  Index rolledBack = 0; ///< vertices that the last pass moved less than its solution
-  /// The Hausdorff distance of input and result, divided by the bounding-box diagonal, is at most
-  /// that.
-  double relativeBound = 0;
+  Index passes = 0;         ///< that moved the surface
+  Index rolledBack = 0;     ///< vertices that the last pass moved less than its solution
+  double bound = 0;         ///< the Hausdorff distance of input and result is at most that
+  double relativeBound = 0; ///< the same, divided by the diagonal of the bounding box
 };
 
 /// What a mode returns.
