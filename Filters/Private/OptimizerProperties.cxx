@@ -55,6 +55,10 @@ lmo::OptimizerOptions vtkLaplacianMeshOptimizer::Session::ReadOptions(vtkPolyDat
       CheckValue(name, value, validValues);
       ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...);
     });
+  if (options.freeAxes.isZero(0))
+  {
+    throw lmo::InputError("FreeAxes is 0 0 0, and no point can move. Set at least one to 1.");
+  }
   const bool hasNormals = input->GetPointData()->GetNormals() != nullptr;
   options.computeNormals =
     this->Filter->ComputeNormals && hasNormals && !this->InterpolatesPointData();

@@ -50,6 +50,7 @@ void CheckRefusal(Checks& c, const std::string& what,
 
   vtkNew<Optimizer> defaults;
   filter->SetMode(defaults->GetMode());
+  filter->SetFreeAxes(1, 1, 1);
   filter->SetPositionWeighting(defaults->GetPositionWeighting());
   filter->SetLaplacianWeighting(defaults->GetLaplacianWeighting());
   for (int index = 0; index < 5; ++index)
@@ -220,6 +221,13 @@ void CheckNoArray(Checks& c, const std::string& name, const std::function<void(O
     [&](Optimizer* filter, vtkPolyData*) { choose(filter); }, { "array", "Choose one" });
 }
 
+void CheckFreeAxes(Checks& c)
+{
+  CheckRefusal(c, "no free axis",
+    [](Optimizer* filter, vtkPolyData*) { filter->SetFreeAxes(0, 0, 0); },
+    { "FreeAxes is 0 0 0", "at least one" });
+}
+
 void CheckArrays(Checks& c)
 {
   const auto weights = [](Optimizer* filter) { filter->SetPositionWeighting(Optimizer::ARRAY); };
@@ -261,6 +269,7 @@ int TestOptimizerErrors(int argc, char* argv[])
   Groups groups(argc, argv);
   groups.Run("Cells", CheckCells);
   groups.Run("Coordinates", CheckCoordinates);
+  groups.Run("FreeAxes", CheckFreeAxes);
   groups.Run("Arrays", CheckArrays);
   groups.Run("HugeCoordinates", CheckHugeCoordinates);
   groups.Run("Overflow", CheckOverflow);

@@ -63,39 +63,41 @@ struct OffsetDirections
   OffsetDirections(const Points& V, const Triangles& triangles, const MeshTopology& topology,
     const EnclosedRegions& regions, const DisplacementConstraints& constraints)
   {
-    std::vector<RegionVectors> vectors(topology.vertices);
+    std::vector<RegionVectors> gradients(topology.vertices);
     ParallelFor(topology.vertices,
       [&](Index i)
       {
         if (constraints.freedom[i] == DisplacementConstraints::FREE)
         {
-          vectors[i] = VolumeGradients(V, triangles, topology, regions, i);
+          gradients[i] = VolumeGradients(V, triangles, topology, regions, i);
         }
       });
-    this->regionsAt.offsets.assign(topology.vertices + 1, 0);
-    for (Index i = 0; i < topology.vertices; ++i)
+    this->regionsAt.offsets.push_back(0);
+    for (const RegionVectors& atVertex : gradients)
     {
-      this->regionsAt.offsets[i + 1] =
-        this->regionsAt.offsets[i] + static_cast<Index>(vectors[i].size());
+      this->regionsAt.offsets.push_back(
+        this->regionsAt.offsets.back() + static_cast<Index>(atVertex.size()));
     }
     this->regionsAt.ids.resize(this->regionsAt.offsets.back());
     this->directions.resize(this->regionsAt.offsets.back(), 3);
-    ParallelFor(topology.vertices,
-      [&](Index i)
-      {
-        double longest = 0;
-        for (const auto& [region, gradient] : vectors[i])
-        {
-          longest = std::max(longest, gradient.norm());
-        }
-        Index entry = this->regionsAt.offsets[i];
-        for (const auto& [region, gradient] : vectors[i])
-        {
-          const Vector3 direction = longest > 0 ? Vector3(gradient / longest) : gradient;
-          this->directions.row(entry) = constraints.Project(i, direction);
-          this->regionsAt.ids[entry++] = region;
-        }
-      });
+    ParallelFor(topology.vertices, [&](Index i) { this->Fill(i, gradients[i], constraints); });
+  }
+
+private:
+  void Fill(Index i, const RegionVectors& gradients, const DisplacementConstraints& constraints)
+  {
+    double longest = 0;
+    for (const auto& [region, gradient] : gradients)
+    {
+      longest = std::max(longest, gradient.norm());
+    }
+    Index entry = this->regionsAt.offsets[i];
+    for (const auto& [region, gradient] : gradients)
+    {
+      const Vector3 direction = longest > 0 ? Vector3(gradient / longest) : gradient;
+      this->directions.row(entry) = constraints.Project(i, direction);
+      this->regionsAt.ids[entry++] = region;
+    }
   }
 };
 
