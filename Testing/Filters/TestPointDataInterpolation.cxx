@@ -64,6 +64,19 @@ double LinearFieldError(int mode, int boundary)
   return LargestMagnitude(PointValues(output, "Field") - LinearField(PointsOf(output)));
 }
 
+/// Error of a quadratic field on the flat square, in terms of that of the values before.
+double QuadraticFieldError(int mode)
+{
+  const auto quadratic = [](const Points& V) -> Vector
+  { return V.col(0).array() * V.col(0).array() - 2 * V.col(0).array() * V.col(1).array(); };
+  auto input = FlatInput();
+  AddPointArray(input, "Quadratic", quadratic(PointsOf(input)));
+  const auto output = Optimized(input, mode);
+  const Vector expected = quadratic(PointsOf(output));
+  const double error = (PointValues(output, "Quadratic") - expected).cwiseAbs().mean();
+  return error / (PointValues(input, "Quadratic") - expected).cwiseAbs().mean();
+}
+
 /// How far the points of FlatInput() move.
 double FlatDisplacement(int mode)
 {
@@ -215,6 +228,9 @@ void CheckFields(Checks& c, int mode)
     LinearFieldError(mode, Optimizer::FIXED), 1e-12);
   c.Error("a linear field stays linear with a sliding boundary" + inMode,
     LinearFieldError(mode, Optimizer::SLIDING), 1e-12);
+  c.Error(
+    "a quadratic field on a plane is off by a small part of what it would be off by" + InMode(mode),
+    QuadraticFieldError(mode), 0.04);
   c.Error("a field stays in its range" + inMode, RangeError(mode), 0);
   c.Error("normals are interpolated" + inMode, NormalError(mode), 0.02);
   c.Error("normals have unit length" + inMode, NormalLengthError(mode), 1e-12);
