@@ -9,7 +9,14 @@ import shapes
 import viewing
 from matplotlib import pyplot as plt
 from panels import Optimizer, optimized
-from vtkmodules.vtkFiltersCore import vtkMassProperties, vtkWindowedSincPolyDataFilter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import (
+    vtkArrayCalculator,
+    vtkContourFilter,
+    vtkMassProperties,
+    vtkWindowedSincPolyDataFilter,
+)
+from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 HEAD = {"zoom": 3.4, "focus": (0.76, 0.4, 0.72)}
 CORNER = {"direction": viewing.PART, "zoom": 3.4, "focus": (0.8, 0.15, 0.5)}
@@ -97,6 +104,45 @@ def laplacians():
         )
         panels.show(cell, [viewing.surface(smooth, edges=True)], name, **detail)
     panels.save(figure, "laplacians")
+
+
+def fields():
+    """A field on a sphere's isosurface, left at its points and interpolated."""
+    wavelet = vtkRTAnalyticSource()
+    wavelet.SetWholeExtent(*(-15, 15) * 3)
+    radius = vtkArrayCalculator()
+    radius.SetInputConnection(wavelet.GetOutputPort())
+    radius.AddCoordinateVectorVariable("x")
+    radius.SetFunction("mag(x)")
+    radius.SetResultArrayName("radius")
+    sphere = vtkContourFilter()
+    sphere.SetInputConnection(radius.GetOutputPort())
+    sphere.SetInputArrayToProcess(0, 0, 0, 0, "radius")
+    sphere.SetValue(0, 11.3)
+    sphere.Update()
+    mesh = sphere.GetOutput()
+
+    def field(points):
+        return 300 * np.sin(points[:, 0] / 2) * np.cos(points[:, 1] / 2)
+
+    shapes.add_point_array(mesh, "Field", field(shapes.points_of(mesh)))
+    within = {"Mode": Optimizer.OPTIMIZE_WITHIN_DEVIATION}
+    columns = {
+        "input": mesh,
+        "InterpolatePointData off": optimized(mesh, InterpolatePointData=False, **within),
+        "InterpolatePointData on": optimized(mesh, **within),
+    }
+    figure, axes = plt.subplots(1, 3, figsize=(12, 4.2), layout="constrained")
+    for cell, (name, output) in zip(axes, columns.items()):
+        values = vtk_to_numpy(output.GetPointData().GetArray("Field"))
+        error = np.sqrt(np.mean((values - field(shapes.points_of(output))) ** 2))
+        actor = viewing.surface(output, "Field", (-300, 300), edges=True)
+        title = "%s\nmean radius ratio %.2f, error of the field %.1f"
+        panels.show(
+            cell, [actor], title % (name, panels.radius_ratios(output).mean(), error), zoom=1.4
+        )
+    panels.show_colors(figure, axes, viewing.QUALITY, (-300, 300), "field")
+    panels.save(figure, "fields", colors=160)
 
 
 def features():
@@ -213,6 +259,6 @@ def shrinkage():
 
 
 if __name__ == "__main__":
-    for picture in (weights, scale, laplacians, features, pyramid, cad_noise, shrinkage):
+    for picture in (weights, scale, laplacians, fields, features, pyramid, cad_noise, shrinkage):
         if picture.__name__ in (sys.argv[1:] or picture.__name__):
             picture()
