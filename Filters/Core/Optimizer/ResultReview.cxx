@@ -37,10 +37,11 @@ std::string Counted(std::int64_t count, const char* one, const char* many)
 
 std::string Percent(double share)
 {
+  const double percent = 100 * share;
   std::ostringstream text;
   text.precision(2);
-  text << 100 * share << " %";
-  return text.str();
+  std::abs(percent) < 10 ? text << percent : text << static_cast<int>(std::round(percent));
+  return text.str() + " %";
 }
 
 /// What the user can change about the strength of a mode.
@@ -70,7 +71,7 @@ void WarnOfQuality(const OptimizerOptions& options, const SurfaceComparison& com
   if (options.mode == Mode::OPTIMIZE_TRIANGLES && before - after > LargestFall)
   {
     std::ostringstream text;
-    text.precision(3);
+    text.precision(4);
     text << "The mean radius ratio fell from " << before << " to " << after
          << ": the triangles are worse than before. " << StrengthRemedy(options);
     warnings.push_back(text.str());
