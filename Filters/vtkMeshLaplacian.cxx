@@ -71,10 +71,10 @@ void AddLaplacians(
   arrays.Add("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM));
   arrays.Add("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT));
   lmo::Points normals = quantities.ComputeMeanCurvatureNormals();
-  arrays.Add(
-    "SignedMeanCurvature", lmo::SignedMeanCurvatures(normals, mean, vertexNormals, topology));
+  lmo::Vector signedMean = lmo::SignedMeanCurvatures(normals, mean, vertexNormals, topology);
   arrays.Add("MeanCurvatureNormal", std::move(normals));
   arrays.Add("MeanCurvature", mean);
+  arrays.Add("SignedMeanCurvature", std::move(signedMean));
   arrays.Add("GaussianCurvature", lmo::GaussianCurvatures(AngleDefects(mesh), areas, topology));
   arrays.Add("VoronoiArea", areas);
 }

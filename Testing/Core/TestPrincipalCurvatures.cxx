@@ -167,26 +167,183 @@ Errors Add(const Errors& a, const Errors& b)
   return { Larger(a.curvature, b.curvature), Larger(a.direction, b.direction) };
 }
 
+/// The largest errors inside the surface, and those on its boundary.
+struct SurfaceErrors
+{
+  Errors inside;
+  Errors boundary;
+};
+
+SurfaceErrors ErrorsOf(const Sample& sample)
+{
+  const PrincipalCurvatures found = Measure(sample.mesh);
+  const std::vector<bool> isBoundary = BoundaryVertices(sample.mesh);
+  SurfaceErrors result;
+  for (Index i = 0; i < found.first.size(); ++i)
+  {
+    Errors& errors = isBoundary[i] ? result.boundary : result.inside;
+    errors = Add(errors, ErrorsAt(sample.mesh.V.row(i), sample.exact, found, i));
+  }
+  return result;
+}
+
 void CheckAnalyticSurfaces(Checks& c)
 {
   for (const Sample& sample : Samples())
   {
-    const PrincipalCurvatures found = Measure(sample.mesh);
-    const std::vector<bool> isBoundary = BoundaryVertices(sample.mesh);
-    Errors inside, boundary;
+    const SurfaceErrors errors = ErrorsOf(sample);
+    const std::string where = ": " + sample.name;
+    c.Error("principal curvatures are exact to 1 %" + where, errors.inside.curvature, 0.01);
+    c.Error("principal directions are exact to 2 degrees" + where, errors.inside.direction, 2);
+    c.Error("those at the boundary too: curvatures" + where, errors.boundary.curvature, 0.01);
+    c.Error("those at the boundary too: directions" + where, errors.boundary.direction, 2);
+  }
+}
+
+void CheckConvergence(Checks& c)
+{
+  const double coarse = ErrorsOf(MakeTorus(75, 33, 0.4)).inside.curvature;
+  const double fine = ErrorsOf(MakeTorus(150, 66, 0.4)).inside.curvature;
+  c.Less("half the edge length, less than a fourth of the error", fine, coarse / 4);
+}
+
+void CheckHandDerivedValues(Checks& c)
+{
+  // At the outer equator of the torus, 1 / r along the tube and 1 / (1 + r) along the equator; at
+  // the inner one, 1 / r and -1 / (1 - r).
+  Sample torus = MakeTorus(150, 66, 0.4);
+  torus.mesh.V.row(0) << 1.4, 0, 0;
+  torus.mesh.V.row(33) << 0.6, 0, 0;
+  const PrincipalCurvatures found = Measure(torus.mesh);
+  c.Error("the outer equator of a torus is convex",
+    std::abs(found.first[0] - 2.5) + std::abs(found.second[0] - 1 / 1.4), 0.01);
+  c.Error("the inner equator of a torus is a saddle",
+    std::abs(found.first[33] - 2.5) + std::abs(found.second[33] + 1 / 0.6), 0.01);
+  for (const Index i : { 0, 33 })
+  {
+    c.Error("the first direction is upward, along the tube",
+      (found.firstDirections.row(i) - Vector3(0, 0, 1)).norm(), 0.002);
+    c.Error("the second direction is along the equator, right-handed",
+      (found.secondDirections.row(i) - Vector3(0, i == 0 ? -1 : 1, 0)).norm(), 0.002);
+  }
+}
+
+void CheckUmbilics(Checks& c)
+{
+  for (const double radius : { 1e-60, 1.0, 1e60 })
+  {
+    const TestMesh sphere = Icosphere(3, radius);
+    const PrincipalCurvatures found = Measure(sphere);
+    const std::string where = ", radius " + AsText(radius);
+    c.Error("both curvatures of a sphere are 1 / R" + where,
+      Larger(LargestMagnitude(found.first.array() * radius - 1),
+        LargestMagnitude(found.second.array() * radius - 1)),
+      0.005);
+    c.Error("directions on a sphere are tangent" + where,
+      LargestMagnitude(found.firstDirections.cwiseProduct(sphere.V / radius).rowwise().sum()),
+      0.002);
+  }
+  const PrincipalCurvatures plane = Measure(Grid(10, 0.3));
+  c.Error(
+    "a plane has no curvature", LargestMagnitude(plane.first) + LargestMagnitude(plane.second), 0);
+  c.Error("directions on a plane are in it",
+    LargestMagnitude(plane.firstDirections.rowwise().norm().array() - 1) +
+      LargestMagnitude(plane.firstDirections.col(2)),
+    1e-12);
+}
+
+/// Largest difference of a direction from another, or from its opposite.
+double LargestAngle(const Points& a, const Points& b)
+{
+  double largest = 0;
+  for (Eigen::Index i = 0; i < a.rows(); ++i)
+  {
+    largest = Larger(largest, DegreesBetween(a.row(i), b.row(i)));
+  }
+  return largest;
+}
+
+void CheckEquivariance(Checks& c)
+{
+  const TestMesh mesh = Samples()[2].mesh;
+  const PrincipalCurvatures before = Measure(mesh);
+  TestMesh moved = mesh;
+  const Eigen::AngleAxisd turn(1, Eigen::Vector3d(1, 2, 3).normalized());
+  moved.V =
+    ((3 * mesh.V * turn.toRotationMatrix().transpose()).rowwise() + Vector3(5, -7, 2)).eval();
+  const PrincipalCurvatures after = Measure(moved);
+  c.Error("curvatures are an inverse length and do not depend on the place",
+    LargestMagnitude(3 * after.first - before.first), 1e-8);
+  c.Error("directions turn with the surface",
+    LargestAngle(
+      after.firstDirections, before.firstDirections * turn.toRotationMatrix().transpose()),
+    1e-4);
+
+  TestMesh reversed = mesh;
+  reversed.T.col(0).swap(reversed.T.col(1));
+  const PrincipalCurvatures inside = Measure(reversed);
+  c.Error("curvatures change their signs and places with the orientation",
+    LargestMagnitude(inside.first + before.second) + LargestMagnitude(inside.second + before.first),
+    1e-8);
+  c.Error("directions change their places with the orientation",
+    LargestAngle(inside.firstDirections, before.secondDirections), 1e-4);
+}
+
+/// Violation of what holds at every vertex: finite values, k1 >= k2, and directions of length 1
+/// that are perpendicular, or all 0.
+double Fault(const PrincipalCurvatures& found, Index i)
+{
+  const Vector3 first = found.firstDirections.row(i), second = found.secondDirections.row(i);
+  const double values = std::abs(found.first[i]) + std::abs(found.second[i]);
+  const double fault =
+    first.isZero(0) ? values + second.norm()
+                    : std::max(0.0, found.second[i] - found.first[i]) + std::abs(first.norm() - 1) +
+                        std::abs(second.norm() - 1) + std::abs(first.dot(second)) + 0 * values;
+  return fault;
+}
+
+void CheckAnyMesh(Checks& c)
+{
+  auto meshes = AllTestMeshes();
+  meshes.push_back({ "thin triangles", WithThinTriangles(Icosphere(3)) });
+  meshes.push_back({ "equal points", Transformed(Icosphere(2), 0) });
+  meshes.push_back({ "needles", LongTriangles() });
+  meshes.push_back({ "a line", Grid(5, 0) });
+  meshes.back().second.V.rightCols(2).setZero();
+  for (const auto& [name, mesh] : meshes)
+  {
+    const PrincipalCurvatures found = Measure(mesh);
+    double fault = 0;
     for (Index i = 0; i < found.first.size(); ++i)
     {
-      Errors& errors = isBoundary[i] ? boundary : inside;
-      errors = Add(errors, ErrorsAt(sample.mesh.V.row(i), sample.exact, found, i));
+      fault = Larger(fault, Fault(found, i));
     }
-    const std::string where = ": " + sample.name;
-    c.Error("principal curvatures are exact to 1 %" + where, inside.curvature, 0.01);
-    c.Error("principal directions are exact to 2 degrees" + where, inside.direction, 2);
     c.Error(
-      "principal curvatures at the boundary are exact to 5 %" + where, boundary.curvature, 0.05);
-    c.Error(
-      "principal directions at the boundary are exact to 5 degrees" + where, boundary.direction, 5);
+      "curvatures are finite and in order, directions orthonormal or 0: " + name, fault, 1e-12);
   }
+  c.Error("an unused point has no curvature",
+    std::abs(Measure(WithIsolatedPoint(Icosphere(2))).first[0]), 0);
+  for (const TestMesh& few : { EquilateralTriangle(), Tetrahedron(), Cube() })
+  {
+    c.Error("too few points have no curvature", LargestMagnitude(Measure(few).first), 0);
+  }
+  c.Greater("twelve points of a sphere are convex", Measure(Icosphere(0)).second.minCoeff(), 0.5);
+}
+
+void CheckHighValence(Checks& c)
+{
+  const int meridians = 40000;
+  const TestMesh sphere = UvSphere(meridians, 3);
+  const PrincipalCurvatures many = Measure(sphere);
+  c.True("the poles of a sphere of 40000 meridians have finite curvatures", many.first.allFinite());
+  const TestMesh globe = UvSphere(200, 99);
+  const PrincipalCurvatures found = Measure(globe);
+  c.Error("the poles of a globe are exact to 1 %",
+    LargestMagnitude(found.first.tail(2).array() - 1) +
+      LargestMagnitude(found.second.tail(2).array() - 1),
+    0.01);
+  c.Error("the rest of the globe too",
+    LargestMagnitude(found.first.array() - 1) + LargestMagnitude(found.second.array() - 1), 0.01);
 }
 }
 
@@ -194,5 +351,11 @@ int TestPrincipalCurvatures(int argc, char* argv[])
 {
   Groups groups(argc, argv);
   groups.Run("AnalyticSurfaces", CheckAnalyticSurfaces);
+  groups.Run("Convergence", CheckConvergence);
+  groups.Run("HandDerivedValues", CheckHandDerivedValues);
+  groups.Run("Umbilics", CheckUmbilics);
+  groups.Run("Equivariance", CheckEquivariance);
+  groups.Run("AnyMesh", CheckAnyMesh);
+  groups.Run("HighValence", CheckHighValence);
   return groups.Result();
 }

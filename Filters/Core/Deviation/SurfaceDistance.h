@@ -9,13 +9,14 @@
 namespace lmo
 {
 /// Distances between a surface and a reference; lengths in the unit of the meshes. All are 0 if the
-/// surface has no triangles.
+/// surface has no triangles, and the list of closest triangles is empty.
 struct SurfaceDistance
 {
-  Vector atVertices;    ///< distance of each vertex of the surface to the reference
-  double hausdorff = 0; ///< maximum of both directions, over vertices and samples
-  double mean = 0;      ///< mean over the area, of both directions
-  double diagonal = 0;  ///< bounding box of the reference, of the vertices that a triangle uses
+  Vector atVertices;                   ///< distance of each vertex of the surface to the reference
+  std::vector<Index> closestTriangles; ///< that of the reference which is closest to each vertex
+  double hausdorff = 0;                ///< maximum of both directions, over vertices and samples
+  double mean = 0;                     ///< mean over the area, of both directions
+  double diagonal = 0; ///< bounding box of the reference, of the vertices that a triangle uses
 };
 
 /// Measures both directions as Metro does (Cignoni et al. 1998): at the vertices that a triangle

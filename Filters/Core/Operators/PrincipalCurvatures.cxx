@@ -205,7 +205,7 @@ void SetCurvatures(
   const Matrix2 first = Matrix2::Identity() + gradient * gradient.transpose();
   const Matrix2 second = -surface.hessian / std::sqrt(1 + gradient.squaredNorm());
   const Directions tangents = surface.axes + gradient * surface.normal;
-  const Vector3 normal = tangents.row(0).cross(tangents.row(1)).normalized();
+  const Vector3 normal = (surface.normal - gradient.transpose() * surface.axes).normalized();
   if (!first.allFinite() || !second.allFinite())
   {
     return;
