@@ -66,16 +66,14 @@ void vtkSurfaceDeviation::Compare(
   lmo::ResultArrays results;
   results.Add(
     output->GetPointData(), lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
-  if (!distance.closestTriangles.empty())
+  // Triangles that do not share their points are closed only together.
+  lmo::WeldCoincidentPoints(reference);
+  lmo::ResultArrays::Remove(output->GetPointData(), "SignedDistance");
+  if (auto signedDistances = lmo::SignedDistances(surface.points, distance.atVertices,
+        distance.closestTriangles, reference.points, reference.triangles, monitor))
   {
-    // As a soup of triangles, no surface is closed.
-    lmo::WeldCoincidentPoints(reference);
-    if (auto signedDistances = lmo::SignedDistances(surface.points, distance.atVertices,
-          distance.closestTriangles, reference.points, reference.triangles, monitor))
-    {
-      results.Add(output->GetPointData(),
-        lmo::MakeArray("SignedDistance", std::move(*signedDistances), surface.numbering));
-    }
+    results.Add(output->GetPointData(),
+      lmo::MakeArray("SignedDistance", std::move(*signedDistances), surface.numbering));
   }
   vtkFieldData* metrics = output->GetFieldData();
   results.Add(metrics, lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));

@@ -99,7 +99,11 @@ std::optional<Vector> SignedDistances(const Points& points, const Vector& distan
   const SurfaceSides sides(referenceV, referenceTriangles, topology);
   Vector result(points.rows());
   InterruptibleFor(static_cast<Index>(points.rows()), monitor,
-    [&](Index i) { result[i] = sides.SideOf(points.row(i), closest[i]) * distances[i]; });
+    [&](Index i)
+    {
+      const double side = closest[i] < 0 ? 1 : sides.SideOf(points.row(i), closest[i]);
+      result[i] = side * distances[i];
+    });
   return result;
 }
 }

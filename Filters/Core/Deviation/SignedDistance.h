@@ -41,7 +41,7 @@ bool IsClosedAndOriented(const Triangles& triangles, const MeshTopology& topolog
 /// The distances with a sign: negative inside the reference, seen from outside of which its
 /// triangles are counter-clockwise. Where bodies overlap, the sign is that of the closest one.
 /// \param distances of the points to the reference
-/// \param closest triangle of the reference, for each point
+/// \param closest triangle of the reference, for each point; -1 stands for outside
 /// \return nothing unless the reference is closed and oriented
 /// \throw Cancelled if the monitor says so.
 std::optional<Vector> SignedDistances(const Points& points, const Vector& distances,

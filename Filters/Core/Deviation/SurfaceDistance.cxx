@@ -113,6 +113,7 @@ SurfaceDistance MeasureSurfaceDistance(const Points& V, const Triangles& triangl
   const Surface reference(referenceV, referenceTriangles, monitor);
   SurfaceDistance result;
   result.atVertices = Vector::Zero(V.rows());
+  result.closestTriangles.assign(V.rows(), -1);
   result.diagonal = reference.Diagonal();
   if (surface.IsEmpty())
   {

@@ -9,11 +9,12 @@
 namespace lmo
 {
 /// Distances between a surface and a reference; lengths in the unit of the meshes. All are 0 if the
-/// surface has no triangles, and the list of closest triangles is empty.
+/// surface has no triangles.
 struct SurfaceDistance
 {
   Vector atVertices;                   ///< distance of each vertex of the surface to the reference
-  std::vector<Index> closestTriangles; ///< that of the reference which is closest to each vertex
+  std::vector<Index> closestTriangles; ///< of the reference, for each vertex; -1 if the surface
+                                       ///< has no triangles
   double hausdorff = 0;                ///< maximum of both directions, over vertices and samples
   double mean = 0;                     ///< mean over the area, of both directions
   double diagonal = 0; ///< bounding box of the reference, of the vertices that a triangle uses
