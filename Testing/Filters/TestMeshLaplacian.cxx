@@ -10,6 +10,8 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <Eigen/Geometry>
+
 using namespace lmo;
 
 namespace
