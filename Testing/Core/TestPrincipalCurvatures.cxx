@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CadFixtures.h"
 #include "Checks.h"
 #include "MeshMeasures.h"
 
@@ -359,6 +360,16 @@ void CheckAnyMesh(Checks& c)
   {
     c.Error("too few points have no curvature", LargestMagnitude(Measure(few).first), 0);
   }
+  TestMesh line = Grid(5, 0);
+  line.V.rightCols(2).setZero();
+  const PrincipalCurvatures ofLine = Measure(line, Vector3(0, 0, 1).replicate(line.V.rows(), 1));
+  c.Error("points on a line have no curvature",
+    LargestMagnitude(ofLine.first) + LargestMagnitude(ofLine.firstDirections), 0);
+  TestMesh tube = Bar(24, 5, Cap::FAN);
+  tube.T = tube.T.topRows(48).eval();
+  const PrincipalCurvatures ofTube = Measure(tube);
+  c.Error("points on two rims do not determine a curvature between them",
+    LargestMagnitude(ofTube.first) + LargestMagnitude(ofTube.firstDirections), 0);
   c.Greater("twelve points of a sphere are convex", Measure(Icosphere(0)).second.minCoeff(), 0.5);
 }
 
