@@ -6,6 +6,7 @@
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Operators/Curvature.h"
 #include "Core/Operators/PolygonLaplacian.h"
+#include "Core/Operators/PrincipalCurvatures.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
@@ -32,25 +33,61 @@ lmo::Vector AngleDefects(const lmo::MeshQuantities& mesh)
            : lmo::PolygonAngleDefects(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetPolygons());
 }
 
-void AddLaplacians(const lmo::CotangentQuantities& quantities, const lmo::MeshNumbering& numbering,
-  lmo::ResultArrays& results, vtkPointData* pointData)
+/// Adds arrays of values at the vertices to the point data.
+class PointArrays
+{
+public:
+  PointArrays(const lmo::MeshNumbering& meshNumbering, vtkPointData* data)
+    : Numbering(meshNumbering)
+    , PointData(data)
+  {
+  }
+
+  template <typename Values>
+  void Add(const char* name, Values values)
+  {
+    this->Results.Add(this->PointData, lmo::MakeArray(name, std::move(values), this->Numbering));
+  }
+
+  void Warn(vtkAlgorithm* filter) const { this->Results.Warn(filter); }
+
+private:
+  const lmo::MeshNumbering& Numbering;
+  vtkPointData* PointData;
+  lmo::ResultArrays Results;
+};
+
+void AddLaplacians(
+  const lmo::CotangentQuantities& quantities, const lmo::Points& vertexNormals, PointArrays& arrays)
 {
   const lmo::MeshQuantities& mesh = quantities.GetMesh();
-  const lmo::Points& V = mesh.GetPoints();
   const lmo::MeshTopology& topology = mesh.GetTopology();
   const std::shared_ptr<const lmo::CotangentWeights> weights = quantities.GetWeights();
   const lmo::Vector& areas = weights->GetVoronoiAreas();
-  const auto add = [&](const char* name, auto values)
-  { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
+  const lmo::Vector& mean = quantities.GetMeanCurvatures();
   const auto laplacian = [&](lmo::LaplacianType type)
-  { return lmo::Apply(quantities.MakeLaplacian(type), V); };
+  { return lmo::Apply(quantities.MakeLaplacian(type), mesh.GetPoints()); };
 
-  add("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM));
-  add("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT));
-  add("MeanCurvatureNormal", quantities.ComputeMeanCurvatureNormals());
-  add("MeanCurvature", quantities.GetMeanCurvatures());
-  add("GaussianCurvature", lmo::GaussianCurvatures(AngleDefects(mesh), areas, topology));
-  add("VoronoiArea", areas);
+  arrays.Add("UniformLaplacian", laplacian(lmo::LaplacianType::UNIFORM));
+  arrays.Add("CotangentLaplacian", laplacian(lmo::LaplacianType::COTANGENT));
+  lmo::Points normals = quantities.ComputeMeanCurvatureNormals();
+  lmo::Vector signedMean = lmo::SignedMeanCurvatures(normals, mean, vertexNormals, topology);
+  arrays.Add("MeanCurvatureNormal", std::move(normals));
+  arrays.Add("MeanCurvature", mean);
+  arrays.Add("SignedMeanCurvature", std::move(signedMean));
+  arrays.Add("GaussianCurvature", lmo::GaussianCurvatures(AngleDefects(mesh), areas, topology));
+  arrays.Add("VoronoiArea", areas);
+}
+
+void AddPrincipalCurvatures(const lmo::MeshQuantities& mesh, const lmo::Points& vertexNormals,
+  lmo::ProgressMonitor& monitor, PointArrays& arrays)
+{
+  lmo::PrincipalCurvatures curvatures = lmo::ComputePrincipalCurvatures(
+    mesh.GetPoints(), vertexNormals, mesh.GetTopology(), mesh.GetDiagonal(), monitor);
+  arrays.Add("PrincipalCurvature1", std::move(curvatures.first));
+  arrays.Add("PrincipalCurvature2", std::move(curvatures.second));
+  arrays.Add("PrincipalDirection1", std::move(curvatures.firstDirections));
+  arrays.Add("PrincipalDirection2", std::move(curvatures.secondDirections));
 }
 }
 
@@ -70,10 +107,16 @@ int vtkMeshLaplacian::RequestData(
       const lmo::MeshQuantities mesh(
         std::move(surface.points), std::move(surface.triangles), std::move(surface.polygons));
       output->ShallowCopy(input);
-      lmo::ResultArrays results;
-      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), surface.numbering,
-        results, output->GetPointData());
-      results.Warn(this);
+      const lmo::Points vertexNormals =
+        lmo::VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology());
+      PointArrays arrays(surface.numbering, output->GetPointData());
+      AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), vertexNormals, arrays);
+      if (this->PrincipalCurvatures)
+      {
+        lmo::FilterMonitor monitor(this);
+        AddPrincipalCurvatures(mesh, vertexNormals, monitor, arrays);
+      }
+      arrays.Warn(this);
     });
 }
 
@@ -81,6 +124,7 @@ void vtkMeshLaplacian::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "RobustLaplacian: " << this->RobustLaplacian << "\n";
+  os << indent << "PrincipalCurvatures: " << this->PrincipalCurvatures << "\n";
   os << indent << "WeldCoincidentPoints: " << this->WeldCoincidentPoints << "\n";
 }
 

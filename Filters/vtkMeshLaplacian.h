@@ -11,8 +11,19 @@
  * - `CotangentLaplacian` (3): delta_c, the same mean with normalised cotangent weights (Eqn. 4).
  * - `MeanCurvatureNormal` (3): kappa n, Eqn. 7; 1 / length.
  * - `MeanCurvature`: its length, 1 / length; below 1e-6 / bounding-box diagonal it is 0.
+ * - `SignedMeanCurvature`: the same, negative where the surface is concave. Positive means convex
+ *   seen from outside, the side from which triangles are counter-clockwise, also on surfaces that
+ *   enclose nothing.
  * - `GaussianCurvature`: angle defect divided by `VoronoiArea`; 1 / length^2.
  * - `VoronoiArea`: mixed Voronoi area (Meyer et al. 2003); their sum is the area of the surface.
+ *
+ * With PrincipalCurvatures on, also these:
+ *
+ * - `PrincipalCurvature1`, `PrincipalCurvature2`: k1 >= k2, 1 / length, positive where the surface
+ *   is convex, as `SignedMeanCurvature`.
+ * - `PrincipalDirection1`, `PrincipalDirection2` (3): unit tangent vectors along which the surface
+ *   has these curvatures. Together with the outward normal they are right-handed. The largest
+ *   component of the first is positive. Where k1 = k2 they are any two.
  *
  * Boundary points take the mean curvatures and the Gaussian curvature as means over their inner
  * neighbours, 0 if they have none. Points that no cell uses have 0 everywhere. Vertices and lines
@@ -47,11 +58,26 @@ public:
    * Whether the cotangent weights and the Voronoi areas are those of the intrinsic Delaunay
    * triangulation of the surface (Sharp and Crane 2020) instead of those of the mesh. No weight is
    * negative then, also on slivers, degenerate triangles and edges of three and more triangles.
-   * Affects all arrays but `UniformLaplacian`. Default: off.
+   * Affects all arrays but `UniformLaplacian` and the principal curvatures. Default: off.
    */
   vtkSetMacro(RobustLaplacian, vtkTypeBool);
   vtkGetMacro(RobustLaplacian, vtkTypeBool);
   vtkBooleanMacro(RobustLaplacian, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether to compute the principal curvatures and their directions, which takes longer than all
+   * other arrays together: by a polynomial of degree 4 that is fitted to the points of three rings
+   * around each point (Cazals and Pouget 2003), of lower degree where these are few. On smooth
+   * surfaces the error falls with the third power of the edge length. On sharp edges the curvatures
+   * are those of a rounding as wide as the triangles. Boundary points have fits of their own, which
+   * are less exact. All are 0 where the points do not determine a polynomial of degree 2. On
+   * polygons rings are those of the edges. Default: off.
+   */
+  vtkSetMacro(PrincipalCurvatures, vtkTypeBool);
+  vtkGetMacro(PrincipalCurvatures, vtkTypeBool);
+  vtkBooleanMacro(PrincipalCurvatures, vtkTypeBool);
   ///@}
 
   ///@{
@@ -74,6 +100,7 @@ protected:
 
 private:
   vtkTypeBool RobustLaplacian = 0;
+  vtkTypeBool PrincipalCurvatures = 0;
   vtkTypeBool WeldCoincidentPoints = 1;
 
   vtkMeshLaplacian(const vtkMeshLaplacian&) = delete;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSurfaceDeviation.h"
 
+#include "Core/Deviation/SignedDistance.h"
 #include "Core/Deviation/SurfaceDistance.h"
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
@@ -51,7 +52,7 @@ void vtkSurfaceDeviation::Compare(
       "NumberOfSamples is " + std::to_string(this->NumberOfSamples) + "; it must be more than 0.");
   }
   const lmo::SurfaceMesh surface = lmo::ReadMesh(surfaceData);
-  const lmo::SurfaceMesh reference = lmo::ReadMesh(referenceData);
+  lmo::SurfaceMesh reference = lmo::ReadMesh(referenceData);
   lmo::FilterMonitor monitor(this);
   const lmo::SurfaceDistance distance = lmo::MeasureSurfaceDistance(surface.points,
     surface.triangles, reference.points, reference.triangles, this->NumberOfSamples, monitor);
@@ -65,6 +66,15 @@ void vtkSurfaceDeviation::Compare(
   lmo::ResultArrays results;
   results.Add(
     output->GetPointData(), lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
+  // Triangles that do not share their points are closed only together.
+  lmo::WeldCoincidentPoints(reference);
+  lmo::ResultArrays::Remove(output->GetPointData(), "SignedDistance");
+  if (auto signedDistances = lmo::SignedDistances(surface.points, distance.atVertices,
+        distance.closestTriangles, reference.points, reference.triangles, monitor))
+  {
+    results.Add(output->GetPointData(),
+      lmo::MakeArray("SignedDistance", std::move(*signedDistances), surface.numbering));
+  }
   vtkFieldData* metrics = output->GetFieldData();
   results.Add(metrics, lmo::MakeArray("HausdorffDistance", this->HausdorffDistance));
   results.Add(

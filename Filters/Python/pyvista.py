@@ -87,13 +87,15 @@ def mean_curvature(mesh, **properties):
     mesh : pyvista.DataSet
         The surface.
     **properties
-        Properties of vtkMeshLaplacian, for example RobustLaplacian=True for very thin triangles.
+        Properties of vtkMeshLaplacian, for example RobustLaplacian=True for very thin triangles, or
+        PrincipalCurvatures=True for PrincipalCurvature1 and 2 and their directions.
 
     Returns
     -------
     pyvista.PolyData
-        With the point arrays MeanCurvature (0 or more, 1 / length), GaussianCurvature
-        (1 / length^2), MeanCurvatureNormal and others.
+        With the point arrays MeanCurvature (0 or more, 1 / length), SignedMeanCurvature (positive
+        where the surface is convex), GaussianCurvature (1 / length^2), MeanCurvatureNormal and
+        others.
     """
     result = _run(laplacianmesh.vtkMeshLaplacian(), [mesh], properties)
     result.set_active_scalars("MeanCurvature")
@@ -113,7 +115,8 @@ def deviation(mesh, reference, samples=100000):
     Returns
     -------
     pyvista.PolyData
-        mesh with the point array Distance (to the reference, a length), and in field_data
+        mesh with the point array Distance (to the reference, a length), SignedDistance (negative
+        inside) if the reference is closed, and in field_data
         HausdorffDistance and MeanDistance (lengths) and RelativeHausdorffDistance and
         RelativeMeanDistance (fractions of the reference's diagonal), of both directions.
     """

@@ -16,8 +16,9 @@ namespace
 /// All curvatures of a mesh.
 struct Curvatures
 {
-  Points normals;  ///< kappa n
-  Vector mean;     ///< kappa
+  Points normals; ///< kappa n
+  Vector mean;    ///< kappa
+  Vector signedMean;
   Vector gaussian; ///< K
   Points planeNormals;
 };
@@ -29,10 +30,11 @@ Curvatures Measure(const TestMesh& mesh)
   Curvatures result;
   result.normals = MeanCurvatureNormals(operators.meanCurvature, mesh.V, topology);
   result.mean = MeanCurvatures(result.normals, BoundingBoxDiagonal(mesh.V, topology), topology);
+  const Points vertexNormals = VertexNormals(mesh.V, mesh.T, topology);
+  result.signedMean = SignedMeanCurvatures(result.normals, result.mean, vertexNormals, topology);
   result.gaussian =
     GaussianCurvatures(AngleDefects(mesh.V, mesh.T, topology), operators.voronoiAreas, topology);
-  result.planeNormals = TangentPlaneNormals(
-    result.normals, result.mean, VertexNormals(mesh.V, mesh.T, topology), topology);
+  result.planeNormals = TangentPlaneNormals(result.normals, result.mean, vertexNormals, topology);
   return result;
 }
 
@@ -92,6 +94,8 @@ void CheckSpheres(Checks& c)
       const Points inward = -mesh.V / (radius * radius);
       c.Error(
         "kappa of a sphere is 1 / R" + sphere, RelativeError(curvatures.mean, 1 / radius), 0.02);
+      c.Error("a sphere is convex" + sphere,
+        LargestMagnitude(curvatures.signedMean - curvatures.mean), 0);
       c.Error("kappa n of a sphere points inward" + sphere,
         MaximumDistance(curvatures.normals, inward) * radius, 0.02);
       c.Error("Gaussian curvature of a sphere is 1 / R^2" + sphere,
@@ -108,6 +112,10 @@ void CheckFlatAndCylinder(Checks& c)
   c.Error("kappa of a plane is 0", LargestMagnitude(plane.mean), 0);
   c.Error("the tangent plane of a plane is its own",
     MaximumDistance(plane.planeNormals, Vector3(0, 0, 1).replicate(121, 1)), 1e-15);
+  TestMesh hollow = Icosphere(3);
+  hollow.T.col(0).swap(hollow.T.col(1));
+  const Curvatures concave = Measure(hollow);
+  c.Error("a hollow is concave", LargestMagnitude(concave.signedMean + concave.mean), 0);
   const double radius = 2;
   const Curvatures cylinder = Measure(CylinderPatch(radius));
   c.Error("kappa of a cylinder is 1 / 2R",
@@ -149,6 +157,10 @@ void CheckBoundaryRule(Checks& c)
     BoundaryRuleError(mesh, curvatures.normals), 1e-14);
   c.Error("kappa at the boundary is the mean over inner neighbours",
     BoundaryRuleError(mesh, curvatures.mean), 1e-14);
+  TestMesh waves = Grid(12, 0.3);
+  waves.V.col(2) = waves.V.col(0).array().sin();
+  c.Error("signed mean curvature at the boundary is the mean over inner neighbours",
+    BoundaryRuleError(waves, Measure(waves).signedMean), 1e-14);
   c.Error("Gaussian curvature at the boundary is the mean over inner neighbours",
     BoundaryRuleError(mesh, curvatures.gaussian), 1e-14);
   c.Error(

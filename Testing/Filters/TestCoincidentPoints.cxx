@@ -108,6 +108,7 @@ double LaplacianError(const TestMesh& mesh, const char* name)
   {
     vtkNew<vtkMeshLaplacian> filter;
     filter->SetInputData(MakePolyData(input));
+    filter->PrincipalCurvaturesOn();
     filter->Update();
     return PointValues(filter->GetOutput(), name);
   };
@@ -193,8 +194,8 @@ int TestCoincidentPoints(int, char*[])
   }
   c.Error("without welding a soup is all boundary", UnweldedChange(mesh), 0);
   c.Error("closed surfaces that touch stay two", ClosedSurfaceError(TouchingSpheres()), 0);
-  for (const char* name :
-    { "UniformLaplacian", "CotangentLaplacian", "MeanCurvature", "VoronoiArea" })
+  for (const char* name : { "UniformLaplacian", "CotangentLaplacian", "MeanCurvature",
+         "VoronoiArea", "SignedMeanCurvature", "PrincipalCurvature1", "PrincipalCurvature2" })
   {
     c.Error(std::string("a soup has the mesh's ") + name, LaplacianError(mesh, name), 1e-9);
   }

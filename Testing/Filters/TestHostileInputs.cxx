@@ -207,9 +207,11 @@ void CheckOtherFilters(Checks& c, const HostileInput& input)
   {
     vtkNew<vtkMeshLaplacian> laplacian;
     laplacian->SetRobustLaplacian(isRobust);
+    laplacian->PrincipalCurvaturesOn();
     CheckFilter(c, isRobust ? "robust mesh Laplacian" : "mesh Laplacian", input, laplacian,
       { "UniformLaplacian", "CotangentLaplacian", "MeanCurvatureNormal", "MeanCurvature",
-        "GaussianCurvature", "VoronoiArea" });
+        "GaussianCurvature", "VoronoiArea", "SignedMeanCurvature", "PrincipalCurvature1",
+        "PrincipalCurvature2", "PrincipalDirection1", "PrincipalDirection2" });
   }
   CheckFilter(c, "radius ratio", input, vtkNew<vtkTriangleRadiusRatio>(), { "RadiusRatio" });
   vtkNew<vtkSurfaceDeviation> deviation;
@@ -217,7 +219,7 @@ void CheckOtherFilters(Checks& c, const HostileInput& input)
   deviation->SetReferenceData(input.data);
   CheckFilter(c, "deviation from itself", input, deviation, { "Distance" });
   deviation->SetReferenceData(MakePolyData(Icosphere(1)));
-  CheckFilter(c, "deviation from a sphere", input, deviation, { "Distance" });
+  CheckFilter(c, "deviation from a sphere", input, deviation, { "Distance", "SignedDistance" });
   if (!input.errors.empty())
   {
     vtkNew<vtkSurfaceDeviation> reverse;

@@ -10,18 +10,23 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <Eigen/Geometry>
+
 using namespace lmo;
 
 namespace
 {
 const std::pair<const char*, int> Arrays[] = { { "UniformLaplacian", 3 },
   { "CotangentLaplacian", 3 }, { "MeanCurvatureNormal", 3 }, { "MeanCurvature", 1 },
-  { "GaussianCurvature", 1 }, { "VoronoiArea", 1 } };
+  { "GaussianCurvature", 1 }, { "VoronoiArea", 1 }, { "SignedMeanCurvature", 1 },
+  { "PrincipalCurvature1", 1 }, { "PrincipalCurvature2", 1 }, { "PrincipalDirection1", 3 },
+  { "PrincipalDirection2", 3 } };
 
 vtkSmartPointer<vtkPolyData> WithLaplacians(vtkPolyData* input)
 {
   vtkNew<vtkMeshLaplacian> filter;
   filter->SetInputData(input);
+  filter->PrincipalCurvaturesOn();
   filter->Update();
   return filter->GetOutput();
 }
@@ -63,6 +68,49 @@ void CheckHandDerivedValues(Checks& c)
     (PointValues(cube, "CotangentLaplacian").row(0) - Vector3::Constant(1.0 / 3)).norm(), 1e-15);
   c.Error("kappa n of the cube's corner is (2/3, 2/3, 2/3)",
     (PointValues(cube, "MeanCurvatureNormal").row(0) - Vector3::Constant(2.0 / 3)).norm(), 1e-15);
+}
+
+void CheckSignedCurvatures(Checks& c)
+{
+  const double radius = 5;
+  const TestMesh sphere = Icosphere(3, radius);
+  TestMesh hollow = sphere;
+  hollow.T.col(0).swap(hollow.T.col(1));
+  for (const int sign : { 1, -1 })
+  {
+    const auto output = WithLaplacians(MakePolyData(sign > 0 ? sphere : hollow));
+    const std::string what = sign > 0 ? "a ball is convex: " : "a hollow is concave: ";
+    for (const char* name : { "SignedMeanCurvature", "PrincipalCurvature1", "PrincipalCurvature2" })
+    {
+      c.Error(
+        what + name, LargestMagnitude(PointValues(output, name).array() * radius - sign), 0.02);
+    }
+    c.Error("the magnitude is the mean curvature",
+      LargestMagnitude(PointValues(output, "SignedMeanCurvature").cwiseAbs() -
+                       PointValues(output, "MeanCurvature")),
+      0);
+    const Points first = PointValues(output, "PrincipalDirection1");
+    const Points second = PointValues(output, "PrincipalDirection2");
+    double error = 0;
+    for (Index i = 0; i < first.rows(); ++i)
+    {
+      const Vector3 across = Vector3(first.row(i)).cross(Vector3(second.row(i)));
+      error = Larger(error, (across - sign * sphere.V.row(i) / radius).norm());
+    }
+    c.Error("the directions and the normal are right-handed", error, 0.01);
+  }
+}
+
+void CheckSwitch(Checks& c)
+{
+  vtkNew<vtkMeshLaplacian> filter;
+  filter->SetInputData(MakePolyData(Icosphere(2)));
+  filter->Update();
+  vtkPointData* data = filter->GetOutput()->GetPointData();
+  c.True("without the switch there are no principal curvatures",
+    !data->HasArray("PrincipalCurvature1") && !data->HasArray("PrincipalCurvature2") &&
+      !data->HasArray("PrincipalDirection1") && !data->HasArray("PrincipalDirection2"));
+  c.True("the signed mean curvature is always there", data->HasArray("SignedMeanCurvature"));
 }
 
 void CheckMixedCells(Checks& c)
@@ -107,6 +155,8 @@ int TestMeshLaplacian(int argc, char* argv[])
   Groups groups(argc, argv);
   groups.Run("Sphere", CheckSphere);
   groups.Run("HandDerivedValues", CheckHandDerivedValues);
+  groups.Run("SignedCurvatures", CheckSignedCurvatures);
+  groups.Run("Switch", CheckSwitch);
   groups.Run("MixedCells", CheckMixedCells);
   groups.Run("OtherInput", CheckOtherInput);
   return groups.Result();

@@ -30,6 +30,6 @@ int TestPrintSelf(int, char*[])
     { "NumberOfSamples", "HausdorffDistance", "RelativeHausdorffDistance", "MeanDistance",
       "RelativeMeanDistance" });
   CheckNames(c, vtkNew<vtkTriangleRadiusRatio>(), { "MeanRadiusRatio", "MinimumRadiusRatio" });
-  CheckNames(c, vtkNew<vtkMeshLaplacian>(), { "RobustLaplacian" });
+  CheckNames(c, vtkNew<vtkMeshLaplacian>(), { "RobustLaplacian", "PrincipalCurvatures" });
   return c.Result();
 }

@@ -169,6 +169,48 @@ void CheckOtherInput(Checks& c)
   c.Equal("two empty surfaces have no distance", filter->GetHausdorffDistance(), 0);
 }
 
+/// The triangles with points of their own.
+TestMesh Soup(const TestMesh& mesh)
+{
+  TestMesh soup{ Points(3 * mesh.T.rows(), 3), Triangles(mesh.T.rows(), 3) };
+  for (Index k = 0; k < soup.V.rows(); ++k)
+  {
+    soup.V.row(k) = mesh.V.row(mesh.T.data()[k]);
+    soup.T.data()[k] = k;
+  }
+  return soup;
+}
+
+void CheckSignedDistance(Checks& c)
+{
+  const TestMesh sphere = Icosphere(4);
+  vtkNew<vtkSurfaceDeviation> filter;
+  filter->SetNumberOfSamples(100);
+  for (const double radius : { 0.5, 1.5 })
+  {
+    filter->SetInputData(MakePolyData(Transformed(sphere, radius)));
+    for (const TestMesh& reference : { sphere, Soup(sphere) })
+    {
+      filter->SetReferenceData(MakePolyData(reference));
+      filter->Update();
+      c.Error("the signed distance of a sphere is the difference of the radii",
+        LargestMagnitude(PointValues(filter->GetOutput(), "SignedDistance").array() - (radius - 1)),
+        0.002);
+      c.Error("its magnitude is the distance",
+        LargestMagnitude(PointValues(filter->GetOutput(), "SignedDistance").cwiseAbs() -
+                         PointValues(filter->GetOutput(), "Distance")),
+        0);
+    }
+  }
+  vtkNew<vtkPolyData> earlier;
+  earlier->ShallowCopy(filter->GetOutput());
+  filter->SetInputData(earlier);
+  filter->SetReferenceData(MakePolyData(HalfSphere(2)));
+  filter->Update();
+  c.True("an open reference has no signed distance, and an earlier one goes",
+    !filter->GetOutput()->GetPointData()->HasArray("SignedDistance"));
+}
+
 void CheckMixedCells(Checks& c)
 {
   const auto input = MakeMixedPolyData();
@@ -197,6 +239,7 @@ int TestSurfaceDeviation(int argc, char* argv[])
   groups.Run("Planes", CheckPlanes);
   groups.Run("Spheres", CheckSpheres);
   groups.Run("Samples", CheckSamples);
+  groups.Run("SignedDistance", CheckSignedDistance);
   groups.Run("MixedCells", CheckMixedCells);
   groups.Run("OtherInput", CheckOtherInput);
   groups.Run("DegenerateTriangles", CheckDegenerateTriangles);

@@ -67,6 +67,7 @@ int TestThreads(int, char*[])
 
   vtkNew<vtkMeshLaplacian> laplacian;
   laplacian->SetInputData(mesh);
+  laplacian->PrincipalCurvaturesOn();
   CheckRepeats(c, "vtkMeshLaplacian", laplacian);
 
   vtkNew<vtkTriangleRadiusRatio> quality;

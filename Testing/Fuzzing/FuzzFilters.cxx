@@ -59,9 +59,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   CheckOptimizer(bytes, mesh);
   vtkNew<vtkMeshLaplacian> laplacian;
   laplacian->SetRobustLaplacian(bytes.Take(2));
+  laplacian->PrincipalCurvaturesOn();
   CheckFilter(laplacian, mesh,
     { "UniformLaplacian", "CotangentLaplacian", "MeanCurvatureNormal", "MeanCurvature",
-      "GaussianCurvature", "VoronoiArea" });
+      "GaussianCurvature", "VoronoiArea", "SignedMeanCurvature", "PrincipalCurvature1",
+      "PrincipalCurvature2", "PrincipalDirection1", "PrincipalDirection2" });
   CheckFilter(vtkNew<vtkTriangleRadiusRatio>(), mesh, { "RadiusRatio" });
   vtkNew<vtkSurfaceDeviation> deviation;
   deviation->SetNumberOfSamples(bytes.Take(64));

@@ -89,7 +89,12 @@ PROPERTIES = {
         "ReadResults",
         "AreMetricsUpToDate",
     ],
-    "MeshLaplacian": ["Input", "RobustLaplacian", "WeldCoincidentPoints"],
+    "MeshLaplacian": [
+        "Input",
+        "RobustLaplacian",
+        "PrincipalCurvatures",
+        "WeldCoincidentPoints",
+    ],
     "TriangleRadiusRatio": ["Input", "WeldCoincidentPoints"],
     "SurfaceDeviation": ["Input", "Reference", "NumberOfSamples"],
 }
@@ -470,6 +475,16 @@ class OtherFilters(unittest.TestCase):
     def test_mesh_laplacian(self):
         laplacian = MeshLaplacian(Input=Sphere(Radius=2, ThetaResolution=40, PhiResolution=40))
         self.assertAlmostEqual(np.median(point_array(laplacian, "MeanCurvature")), 0.5, delta=0.01)
+
+    def test_principal_curvatures(self):
+        sphere = Sphere(Radius=2, ThetaResolution=40, PhiResolution=40)
+        laplacian = MeshLaplacian(Input=sphere, PrincipalCurvatures=1)
+        for name in ("SignedMeanCurvature", "PrincipalCurvature1", "PrincipalCurvature2"):
+            self.assertAlmostEqual(np.median(point_array(laplacian, name)), 0.5, delta=0.01)
+
+    def test_signed_distance(self):
+        deviation = SurfaceDeviation(Input=Sphere(Radius=1), Reference=Sphere(Radius=2))
+        self.assertTrue((point_array(deviation, "SignedDistance") < 0).all())
 
     def test_triangle_radius_ratio(self):
         quality = TriangleRadiusRatio(Input=Sphere())

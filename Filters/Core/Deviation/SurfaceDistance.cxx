@@ -55,14 +55,24 @@ public:
     return samples;
   }
 
-  /// Distance of each query point to the closest point of the surface.
-  Vector Distances(const Points& queries, ProgressMonitor& monitor) const
+  struct Closest
   {
-    Vector distances(queries.rows());
+    Vector distances;
+    std::vector<Index> triangles;
+  };
+
+  /// The triangle that is closest to each query point, and its distance.
+  Closest FindClosest(const Points& queries, ProgressMonitor& monitor) const
+  {
+    Closest closest{ Vector(queries.rows()), std::vector<Index>(queries.rows()) };
     InterruptibleFor(static_cast<Index>(queries.rows()), monitor,
       [&](Index i)
-      { distances[i] = std::sqrt(this->Tree.FindClosest(queries.row(i)).squaredDistance); });
-    return distances;
+      {
+        const TriangleBvh::Hit hit = this->Tree.FindClosest(queries.row(i));
+        closest.distances[i] = std::sqrt(hit.squaredDistance);
+        closest.triangles[i] = hit.triangle;
+      });
+    return closest;
   }
 
 private:
@@ -82,8 +92,8 @@ struct Deviation
 Deviation MeasureDeviation(
   const Surface& from, const Surface& to, Index samples, ProgressMonitor& monitor)
 {
-  const Vector atVertices = to.Distances(from.UsedVertices(), monitor);
-  const Vector atSamples = to.Distances(from.Samples(samples), monitor);
+  const Vector atVertices = to.FindClosest(from.UsedVertices(), monitor).distances;
+  const Vector atSamples = to.FindClosest(from.Samples(samples), monitor).distances;
   Deviation deviation;
   deviation.maximum = atVertices.maxCoeff();
   if (atSamples.size() > 0)
@@ -103,6 +113,7 @@ SurfaceDistance MeasureSurfaceDistance(const Points& V, const Triangles& triangl
   const Surface reference(referenceV, referenceTriangles, monitor);
   SurfaceDistance result;
   result.atVertices = Vector::Zero(V.rows());
+  result.closestTriangles.assign(V.rows(), -1);
   result.diagonal = reference.Diagonal();
   if (surface.IsEmpty())
   {
@@ -112,7 +123,9 @@ SurfaceDistance MeasureSurfaceDistance(const Points& V, const Triangles& triangl
   {
     throw InputError("The reference surface has no triangles. Connect one that has.");
   }
-  result.atVertices = reference.Distances(V, monitor);
+  Surface::Closest closest = reference.FindClosest(V, monitor);
+  result.atVertices = std::move(closest.distances);
+  result.closestTriangles = std::move(closest.triangles);
   const Deviation forth = MeasureDeviation(surface, reference, samples, monitor);
   monitor.Report(0.5);
   const Deviation back = MeasureDeviation(reference, surface, samples, monitor);

@@ -12,10 +12,12 @@ namespace lmo
 /// surface has no triangles.
 struct SurfaceDistance
 {
-  Vector atVertices;    ///< distance of each vertex of the surface to the reference
-  double hausdorff = 0; ///< maximum of both directions, over vertices and samples
-  double mean = 0;      ///< mean over the area, of both directions
-  double diagonal = 0;  ///< bounding box of the reference, of the vertices that a triangle uses
+  Vector atVertices;                   ///< distance of each vertex of the surface to the reference
+  std::vector<Index> closestTriangles; ///< of the reference, for each vertex; -1 if the surface
+                                       ///< has no triangles
+  double hausdorff = 0;                ///< maximum of both directions, over vertices and samples
+  double mean = 0;                     ///< mean over the area, of both directions
+  double diagonal = 0; ///< bounding box of the reference, of the vertices that a triangle uses
 };
 
 /// Measures both directions as Metro does (Cignoni et al. 1998): at the vertices that a triangle

@@ -56,6 +56,20 @@ Vector MeanCurvatures(
   return curvatures;
 }
 
+Vector SignedMeanCurvatures(const Points& meanCurvatureNormals, const Vector& meanCurvatures,
+  const Points& vertexNormals, const MeshTopology& topology)
+{
+  Vector curvatures(meanCurvatures.size());
+  ParallelFor(topology.vertices,
+    [&](Index i)
+    {
+      const bool isConcave = meanCurvatureNormals.row(i).dot(vertexNormals.row(i)) > 0;
+      curvatures[i] = isConcave ? 0 - meanCurvatures[i] : meanCurvatures[i];
+    });
+  FillBoundary(topology, curvatures);
+  return curvatures;
+}
+
 Vector GaussianCurvatures(
   const Vector& angleDefects, const Vector& voronoiAreas, const MeshTopology& topology)
 {

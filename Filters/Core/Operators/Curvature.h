@@ -18,6 +18,12 @@ Points MeanCurvatureNormals(
 Vector MeanCurvatures(
   const Points& meanCurvatureNormals, double diagonal, const MeshTopology& topology);
 
+/// Mean curvature with a sign, 1 / length: kappa where the surface is convex seen from the side to
+/// which the vertex normals point, -kappa where it is concave, that is where kappa n points to that
+/// side.
+Vector SignedMeanCurvatures(const Points& meanCurvatureNormals, const Vector& meanCurvatures,
+  const Points& vertexNormals, const MeshTopology& topology);
+
 /// Gaussian curvature, 1 / length^2: angle defect divided by the mixed Voronoi area.
 Vector GaussianCurvatures(
   const Vector& angleDefects, const Vector& voronoiAreas, const MeshTopology& topology);
