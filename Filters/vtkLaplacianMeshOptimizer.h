@@ -487,8 +487,8 @@ public:
    * For OPTIMIZE_WITHIN_DEVIATION and OPTIMIZE_TRIANGLES, where points slide along the surface:
    * each point takes the point data of the place of the input that is closest to its new position,
    * found from the triangles at the point. Floating-point arrays and colours (three or four
-   * unsigned chars) are interpolated in the triangle there and stay within the range of its
-   * corners; the point normals are interpolated too, with unit length, instead of computed anew.
+   * unsigned chars) are interpolated in the triangle there and stay within the range around it;
+   * the point normals are interpolated too, with unit length, instead of computed anew.
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
    * points, and fields are displaced with them; so it is over several processes in either case.

@@ -22,6 +22,7 @@
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 namespace lmo
@@ -154,11 +155,9 @@ vtkSmartPointer<vtkIdList> NearestPoints(const PlacesOnInput& places)
   return nearest;
 }
 
-/// Barycentric interpolation, for floating-point arrays with half of what the gradients at the
-/// corners add, which makes the error of smooth fields smaller by one order where gradients are
-/// exact:
-///   sum_k w_k (f_k + g_k . (x - x_k) / 2),
-/// within the range of the f_k.
+/// Barycentric interpolation, for floating-point arrays with half of what limited gradients at the
+/// corners add, which makes the error of smooth fields smaller:
+///   sum_k w_k (f_k + g_k . (x - x_k) / 2).
 struct Interpolate
 {
   const PlacesOnInput& places;
@@ -173,13 +172,16 @@ struct Interpolate
     {
       const auto field = [&](Index j) { return static_cast<double>(input[j][c]); };
       const Points gradients = this->GradientsOf(field);
+      const std::pair<double, double> range = this->RangeOf(field);
       ParallelFor(static_cast<Index>(this->places.locations.size()),
         [&, this](Index i)
         {
           const SurfaceLocation& location = this->places.locations[i];
           if (location.triangle >= 0)
           {
-            const double value = this->ValueAt(location, field, gradients);
+            // Round-off must not lead out of the range.
+            const double value =
+              std::clamp(this->ValueAt(location, field, gradients), range.first, range.second);
             result[i][c] =
               static_cast<vtk::GetAPIType<Array>>(this->isRounded ? std::round(value) : value);
           }
@@ -193,8 +195,20 @@ private:
   {
     Points gradients(this->isRounded ? 0 : this->places.V.rows(), 3);
     ParallelFor(static_cast<Index>(gradients.rows()),
-      [&, this](Index i) { gradients.row(i) = this->places.gradients.At(i, field); });
+      [&, this](Index i) { gradients.row(i) = this->places.gradients.LimitedAt(i, field); });
     return gradients;
+  }
+
+  template <typename Field>
+  std::pair<double, double> RangeOf(const Field& field) const
+  {
+    std::pair<double, double> range(HUGE_VAL, -HUGE_VAL);
+    for (Index i = 0; i < static_cast<Index>(this->places.V.rows()); ++i)
+    {
+      range.first = std::min(range.first, field(i));
+      range.second = std::max(range.second, field(i));
+    }
+    return range;
   }
 
   template <typename Field>
@@ -203,17 +217,18 @@ private:
     const auto corners = this->places.triangles.row(location.triangle);
     const TriangleCorners x = CornersOf(this->places.V, this->places.triangles, location.triangle);
     const Vector3 position = location.weights * x;
-    const Vector3 values(field(corners[0]), field(corners[1]), field(corners[2]));
-    double value = location.weights.dot(values);
+    const double first = field(corners[0]);
+    double value = first; // what is added to it vanishes exactly where the field is constant
     double correction = 0;
     bool isDefined = gradients.rows() > 0;
-    for (int k = 0; k < 3 && isDefined; ++k)
+    for (int k = 0; k < 3; ++k)
     {
-      isDefined = this->places.gradients.IsDefined(corners[k]);
-      correction += location.weights[k] * gradients.row(corners[k]).dot(position - x.row(k)) / 2;
+      const double weight = location.weights[k];
+      value += weight * (field(corners[k]) - first);
+      isDefined = isDefined && (weight == 0 || this->places.gradients.IsDefined(corners[k]));
+      correction += isDefined ? weight * gradients.row(corners[k]).dot(position - x.row(k)) / 2 : 0;
     }
-    value += isDefined ? correction : 0;
-    return std::clamp(value, values.minCoeff(), values.maxCoeff());
+    return isDefined ? value + correction : value;
   }
 };
 

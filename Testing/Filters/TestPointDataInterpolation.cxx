@@ -230,7 +230,7 @@ void CheckFields(Checks& c, int mode)
     LinearFieldError(mode, Optimizer::SLIDING), 1e-12);
   c.Error(
     "a quadratic field on a plane is off by a small part of what it would be off by" + InMode(mode),
-    QuadraticFieldError(mode), 0.04);
+    QuadraticFieldError(mode), 0.05);
   c.Error("a field stays in its range" + inMode, RangeError(mode), 0);
   c.Error("normals are interpolated" + inMode, NormalError(mode), 0.02);
   c.Error("normals have unit length" + inMode, NormalLengthError(mode), 1e-12);

@@ -5,6 +5,8 @@
 
 #include "Core/Mesh/MeshTopology.h"
 
+#include <algorithm>
+
 namespace lmo
 {
 /// Gradients of fields on a surface, in the tangent planes of its vertices: the g that minimises
@@ -30,6 +32,31 @@ public:
     this->VisitNeighbours(
       i, [&](Index j, const Vector3& d, double weight) { sum += weight * (field(j) - value) * d; });
     return sum * this->Inverses.middleRows<3>(3 * i);
+  }
+
+  /// The gradient scaled by a factor of at most 1, such that f_i + g . (x - x_i) / 2 stays within
+  /// the values of the neighbours and f_i in all triangles at the vertex (as T. J. Barth and
+  /// D. C. Jespersen, 1989, limit gradients). A linear field keeps its gradient.
+  template <typename Field>
+  Vector3 LimitedAt(Index i, const Field& field) const
+  {
+    const Vector3 gradient = this->At(i, field);
+    double highest = 0; // in terms of f_i
+    double lowest = 0;
+    double rise = 0;
+    double fall = 0;
+    this->VisitNeighbours(i,
+      [&](Index j, const Vector3& d, double)
+      {
+        const double difference = field(j) - field(i);
+        highest = std::max(highest, difference);
+        lowest = std::min(lowest, difference);
+        rise = std::max(rise, gradient.dot(d) / 2);
+        fall = std::min(fall, gradient.dot(d) / 2);
+      });
+    const double factor =
+      std::min(rise > highest ? highest / rise : 1, fall < lowest ? lowest / fall : 1);
+    return factor * gradient;
   }
 
 private:
