@@ -154,8 +154,8 @@ void CheckOrientation(Checks& c)
   const Points points = PointsAround(Cube(), 100);
   TestMesh reversed = Cube();
   reversed.T.col(0).swap(reversed.T.col(1));
-  c.Error("a body inside out has the opposite signs",
-    LargestMagnitude(*Measure(points, Cube()) + *Measure(points, reversed)), 1e-15);
+  c.Error("the inside of a body inside out is the same",
+    LargestMagnitude(*Measure(points, Cube()) - *Measure(points, reversed)), 1e-15);
   TestMesh turned = Cube();
   std::swap(turned.T(0, 0), turned.T(0, 1));
   c.True("one triangle that is turned over: no inside", !Measure(points, turned));
