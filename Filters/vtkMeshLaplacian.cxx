@@ -3,6 +3,7 @@
 #include "vtkMeshLaplacian.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Mesh/TriangleNeighbours.h"
 #include "Core/Operators/CotangentQuantities.h"
 #include "Core/Operators/Curvature.h"
 #include "Core/Operators/PolygonLaplacian.h"
@@ -31,6 +32,21 @@ lmo::Vector AngleDefects(const lmo::MeshQuantities& mesh)
   return mesh.GetPolygons().IsEmpty()
            ? lmo::AngleDefects(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology())
            : lmo::PolygonAngleDefects(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetPolygons());
+}
+
+/// Normals of the vertices towards the outer side of a closed surface; of others, and where
+/// triangles differ in their orientation, towards the side from which the triangles at the vertex
+/// are counter-clockwise.
+lmo::Points OuterNormals(const lmo::MeshQuantities& mesh)
+{
+  const lmo::Points& V = mesh.GetPoints();
+  const lmo::Triangles& triangles = mesh.GetTriangles();
+  lmo::Points normals = lmo::VertexNormals(V, triangles, mesh.GetTopology());
+  if (lmo::IsInsideOut(V, triangles, mesh.GetTopology()))
+  {
+    normals *= -1;
+  }
+  return normals;
 }
 
 /// Adds arrays of values at the vertices to the point data.
@@ -107,8 +123,7 @@ int vtkMeshLaplacian::RequestData(
       const lmo::MeshQuantities mesh(
         std::move(surface.points), std::move(surface.triangles), std::move(surface.polygons));
       output->ShallowCopy(input);
-      const lmo::Points vertexNormals =
-        lmo::VertexNormals(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology());
+      const lmo::Points vertexNormals = OuterNormals(mesh);
       PointArrays arrays(surface.numbering, output->GetPointData());
       AddLaplacians(lmo::CotangentQuantities(mesh, this->RobustLaplacian), vertexNormals, arrays);
       if (this->PrincipalCurvatures)

@@ -11,9 +11,9 @@
  * - `CotangentLaplacian` (3): delta_c, the same mean with normalised cotangent weights (Eqn. 4).
  * - `MeanCurvatureNormal` (3): kappa n, Eqn. 7; 1 / length.
  * - `MeanCurvature`: its length, 1 / length; below 1e-6 / bounding-box diagonal it is 0.
- * - `SignedMeanCurvature`: the same, negative where the surface is concave. Positive means convex
- *   seen from outside, the side from which triangles are counter-clockwise, also on surfaces that
- *   enclose nothing.
+ * - `SignedMeanCurvature`: the same, negative where the surface is concave, positive where it is
+ *   convex seen from outside. On surfaces that are not closed, or whose triangles differ in their
+ *   orientation, outside is the side from which the triangles at the point are counter-clockwise.
  * - `GaussianCurvature`: angle defect divided by `VoronoiArea`; 1 / length^2.
  * - `VoronoiArea`: mixed Voronoi area (Meyer et al. 2003); their sum is the area of the surface.
  *

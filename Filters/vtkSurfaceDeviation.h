@@ -12,16 +12,16 @@
  *
  * Output: the input of port 0 with point array `Distance` (to the reference, in the mesh's unit)
  * and field arrays of one value with the names of the Get methods. If the reference is closed,
- * there is also the point array `SignedDistance`, the same but negative inside the reference, that
- * is behind its triangles, which are counter-clockwise seen from outside. The sign is that of the
- * angle-weighted pseudonormal of the closest triangle, edge or point (J. A. Baerentzen, H. Aanaes,
- * IEEE TVCG 2005). Closed means that each edge has exactly two triangles, which run along it in
- * opposite directions; points on boundaries with the same coordinates count as one. Where closed
- * bodies overlap, the sign is that of the one whose surface is closest. Both inputs may hold
- * vertices and lines; polygons and triangle strips count as triangles, cut as
- * vtkLaplacianMeshOptimizer does. A reference without triangles is an error unless the input has
- * none either. Arrays of the input that have these names are kept unless a filter of this module
- * made them; the new ones are then named <name>Optimized, and a warning says so.
+ * there is also the point array `SignedDistance`, the same but negative inside the reference, also
+ * if its triangles are counter-clockwise seen from inside. The sign is that of the angle-weighted
+ * pseudonormal of the closest triangle, edge or point (J. A. Baerentzen, H. Aanaes, IEEE TVCG
+ * 2005). Closed means that each edge has exactly two triangles, which run along it in opposite
+ * directions; points on boundaries with the same coordinates count as one. Where closed bodies
+ * overlap, the sign is that of the one whose surface is closest. Both inputs may hold vertices and
+ * lines; polygons and triangle strips count as triangles, cut as vtkLaplacianMeshOptimizer does. A
+ * reference without triangles is an error unless the input has none either. Arrays of the input
+ * that have these names are kept unless a filter of this module made them; the new ones are then
+ * named <name>Optimized, and a warning says so.
  *
  * @sa vtkHausdorffDistancePointSetFilter
  */

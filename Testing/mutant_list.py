@@ -75,7 +75,7 @@ MUTANTS = [
         ("pseudonormals of edges are those of both triangles", "Deviation/SignedDistance.cxx",
          "this->OfTriangle(left) + this->OfTriangle(right)", "this->OfTriangle(right)",
          "TestSignedDistance-AgainstWindingNumber"),
-        ("an open reference has no inside", "Deviation/SignedDistance.cxx",
+        ("an open reference has no inside", "Mesh/TriangleNeighbours.cxx",
          "return openEdges == 0 && ", "return ", "TestSignedDistance-Orientation"),
         ("a tangent plane at the boundary is that of the triangles", "Operators/Curvature.cxx",
          "meanCurvatures[i] > 0 && !topology.isBoundary[i]", "meanCurvatures[i] > 0",

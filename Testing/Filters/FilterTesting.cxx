@@ -131,6 +131,19 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const TestMesh& mesh, int pointType)
   return result;
 }
 
+TestMesh Soup(const TestMesh& mesh)
+{
+  TestMesh soup;
+  soup.V.resize(3 * mesh.T.rows(), 3);
+  soup.T.resize(mesh.T.rows(), 3);
+  for (Index corner = 0; corner < soup.V.rows(); ++corner)
+  {
+    soup.V.row(corner) = mesh.V.row(mesh.T.data()[corner]);
+    soup.T.data()[corner] = corner;
+  }
+  return soup;
+}
+
 vtkSmartPointer<vtkPolyData> MakeMixedPolyData()
 {
   return MakeMixed(true);

@@ -23,6 +23,9 @@ class vtkPolyDataAlgorithm;
 /// \param pointType VTK_DOUBLE or VTK_FLOAT
 vtkSmartPointer<vtkPolyData> MakePolyData(const TestMesh& mesh, int pointType = VTK_DOUBLE);
 
+/// Every triangle with points of its own, as STL files hold them.
+TestMesh Soup(const TestMesh& mesh);
+
 /// Vertices, lines, triangles and strips of a curved surface, an isolated point, and arrays of all
 /// kinds. Cells 0 and 1 are vertices, 2 is a line, the triangles are 3 to 146, the strips the rest.
 vtkSmartPointer<vtkPolyData> MakeMixedPolyData();

@@ -21,20 +21,6 @@ namespace
 {
 using Optimizer = vtkLaplacianMeshOptimizer;
 
-/// Every triangle with points of its own, as STL files hold them.
-TestMesh Soup(const TestMesh& mesh)
-{
-  TestMesh soup;
-  soup.V.resize(3 * mesh.T.rows(), 3);
-  soup.T.resize(mesh.T.rows(), 3);
-  for (Index corner = 0; corner < soup.V.rows(); ++corner)
-  {
-    soup.V.row(corner) = mesh.V.row(mesh.T.data()[corner]);
-    soup.T.data()[corner] = corner;
-  }
-  return soup;
-}
-
 /// Rows at the points of Soup() from rows at the vertices.
 Eigen::MatrixXd AtCorners(const TestMesh& mesh, const Eigen::MatrixXd& rows)
 {

@@ -70,35 +70,53 @@ void CheckHandDerivedValues(Checks& c)
     (PointValues(cube, "MeanCurvatureNormal").row(0) - Vector3::Constant(2.0 / 3)).norm(), 1e-15);
 }
 
+TestMesh Reversed(TestMesh mesh)
+{
+  mesh.T.col(0).swap(mesh.T.col(1));
+  return mesh;
+}
+
+/// \param sign 1 where the unit spheres around the origin are convex, else -1
+void CheckSignsOnSphere(
+  Checks& c, const std::string& name, const TestMesh& mesh, Index points, int sign)
+{
+  const auto output = WithLaplacians(MakePolyData(mesh));
+  for (const char* array : { "SignedMeanCurvature", "PrincipalCurvature1", "PrincipalCurvature2" })
+  {
+    const Vector values = PointValues(output, array).topRows(points);
+    c.Error(name + ": " + array, LargestMagnitude(values.array() - sign), 0.02);
+  }
+  const Points first = PointValues(output, "PrincipalDirection1");
+  const Points second = PointValues(output, "PrincipalDirection2");
+  double error = 0;
+  for (Index i = 0; i < points; ++i)
+  {
+    const Vector3 across = Vector3(first.row(i)).cross(Vector3(second.row(i)));
+    error = Larger(error, (across - sign * mesh.V.row(i)).norm());
+  }
+  c.Error(name + ": directions and normal are right-handed", error, 0.02);
+}
+
 void CheckSignedCurvatures(Checks& c)
 {
-  const double radius = 5;
-  const TestMesh sphere = Icosphere(3, radius);
-  TestMesh hollow = sphere;
-  hollow.T.col(0).swap(hollow.T.col(1));
-  for (const int sign : { 1, -1 })
-  {
-    const auto output = WithLaplacians(MakePolyData(sign > 0 ? sphere : hollow));
-    const std::string what = sign > 0 ? "a ball is convex: " : "a hollow is concave: ";
-    for (const char* name : { "SignedMeanCurvature", "PrincipalCurvature1", "PrincipalCurvature2" })
-    {
-      c.Error(
-        what + name, LargestMagnitude(PointValues(output, name).array() * radius - sign), 0.02);
-    }
-    c.Error("the magnitude is the mean curvature",
-      LargestMagnitude(PointValues(output, "SignedMeanCurvature").cwiseAbs() -
-                       PointValues(output, "MeanCurvature")),
-      0);
-    const Points first = PointValues(output, "PrincipalDirection1");
-    const Points second = PointValues(output, "PrincipalDirection2");
-    double error = 0;
-    for (Index i = 0; i < first.rows(); ++i)
-    {
-      const Vector3 across = Vector3(first.row(i)).cross(Vector3(second.row(i)));
-      error = Larger(error, (across - sign * sphere.V.row(i) / radius).norm());
-    }
-    c.Error("the directions and the normal are right-handed", error, 0.01);
-  }
+  const TestMesh sphere = Icosphere(3);
+  const Index size = static_cast<Index>(sphere.V.rows());
+  CheckSignsOnSphere(c, "a ball is convex", sphere, size, 1);
+  CheckSignsOnSphere(c, "a ball inside out is convex", Reversed(sphere), size, 1);
+  const TestMesh bowl = HalfSphere(4);
+  const Index bowlSize = static_cast<Index>(bowl.V.rows());
+  CheckSignsOnSphere(c, "an open surface is convex seen from outside", bowl, bowlSize, 1);
+  CheckSignsOnSphere(
+    c, "an open surface is concave seen from inside", Reversed(bowl), bowlSize, -1);
+  TestMesh shell{ Points(2 * size, 3), Triangles(2 * sphere.T.rows(), 3) };
+  shell.V << sphere.V, 2 * sphere.V;
+  shell.T << Reversed(sphere).T, (sphere.T.array() + size).matrix();
+  CheckSignsOnSphere(c, "the inner side of a shell is concave", shell, size, -1);
+  const auto output = WithLaplacians(MakePolyData(sphere));
+  c.Error("the magnitude is the mean curvature",
+    LargestMagnitude(
+      PointValues(output, "SignedMeanCurvature").cwiseAbs() - PointValues(output, "MeanCurvature")),
+    0);
 }
 
 void CheckSwitch(Checks& c)

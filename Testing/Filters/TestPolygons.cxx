@@ -97,6 +97,37 @@ void CheckConcavePolygons(Checks& c)
   }
 }
 
+void CheckPrincipalCurvatures(Checks& c)
+{
+  // The saddle z = 0.4 x y has the curvatures 0.4 and -0.4 in its middle, along the diagonals.
+  const int cells = 20;
+  std::vector<Vector3> corners;
+  std::vector<Polygon> quads;
+  for (int k = 0; k < (cells + 1) * (cells + 1); ++k)
+  {
+    const int row = k / (cells + 1), column = k % (cells + 1);
+    const double x = 2.0 * column / cells - 1, y = 2.0 * row / cells - 1;
+    corners.emplace_back(x, y, 0.4 * x * y);
+    if (row < cells && column < cells)
+    {
+      quads.push_back({ k, k + 1, k + cells + 2, k + cells + 1 });
+    }
+  }
+  vtkNew<vtkMeshLaplacian> filter;
+  filter->SetInputData(MakePolygons(corners, quads));
+  filter->PrincipalCurvaturesOn();
+  filter->Update();
+  vtkPolyData* output = filter->GetOutput();
+  const Index middle = (cells + 2) * cells / 2;
+  const double k1 = PointValues(output, "PrincipalCurvature1")(middle);
+  const double k2 = PointValues(output, "PrincipalCurvature2")(middle);
+  c.Error("quads have the principal curvatures of their surface",
+    std::abs(k1 - 0.4) + std::abs(k2 + 0.4), 0.004);
+  const Vector3 direction = PointValues(output, "PrincipalDirection1").row(middle);
+  c.Error("quads have the principal directions of their surface",
+    std::abs(direction.dot(Vector3(1, 1, 0))), 0.01);
+}
+
 void CheckDeviation(Checks& c)
 {
   vtkNew<vtkSurfaceDeviation> deviation;
@@ -206,6 +237,7 @@ int TestPolygons(int argc, char* argv[])
   Groups groups(argc, argv);
   groups.Run("RadiusRatios", CheckRadiusRatios);
   groups.Run("ConcavePolygons", CheckConcavePolygons);
+  groups.Run("PrincipalCurvatures", CheckPrincipalCurvatures);
   groups.Run("Deviation", CheckDeviation);
   groups.Run("Optimizer", CheckOptimizer);
   groups.Run("Mixture", CheckMixture);

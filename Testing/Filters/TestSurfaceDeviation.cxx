@@ -169,18 +169,6 @@ void CheckOtherInput(Checks& c)
   c.Equal("two empty surfaces have no distance", filter->GetHausdorffDistance(), 0);
 }
 
-/// The triangles with points of their own.
-TestMesh Soup(const TestMesh& mesh)
-{
-  TestMesh soup{ Points(3 * mesh.T.rows(), 3), Triangles(mesh.T.rows(), 3) };
-  for (Index k = 0; k < soup.V.rows(); ++k)
-  {
-    soup.V.row(k) = mesh.V.row(mesh.T.data()[k]);
-    soup.T.data()[k] = k;
-  }
-  return soup;
-}
-
 void CheckSignedDistance(Checks& c)
 {
   const TestMesh sphere = Icosphere(4);

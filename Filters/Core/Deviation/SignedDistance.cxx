@@ -72,20 +72,6 @@ double SurfaceSides::SideOf(const Vector3& x, Index closest) const
   return normal.dot(x - corners.row(nearest)) < 0 ? -1 : 1;
 }
 
-bool IsClosedAndOriented(const Triangles& triangles, const MeshTopology& topology)
-{
-  const Index openEdges = ParallelSum(static_cast<Index>(triangles.rows()), Index(0),
-    [&](Index& sum, Index t)
-    {
-      for (int k = 0; k < 3 && !IsDegenerate(triangles, t); ++k)
-      {
-        sum += NeighbourAcross(triangles, topology, triangles(t, k), triangles(t, (k + 1) % 3)) ==
-               NoNeighbour;
-      }
-    });
-  return openEdges == 0 && !topology.cornersAt.ids.empty();
-}
-
 std::optional<Vector> SignedDistances(const Points& points, const Vector& distances,
   const std::vector<Index>& closest, const Points& referenceV, const Triangles& referenceTriangles,
   ProgressMonitor& monitor)
@@ -97,12 +83,13 @@ std::optional<Vector> SignedDistances(const Points& points, const Vector& distan
     return std::nullopt;
   }
   const SurfaceSides sides(referenceV, referenceTriangles, topology);
+  const double front = IsInsideOut(referenceV, referenceTriangles, topology) ? -1 : 1;
   Vector result(points.rows());
   InterruptibleFor(static_cast<Index>(points.rows()), monitor,
     [&](Index i)
     {
-      const double side = closest[i] < 0 ? 1 : sides.SideOf(points.row(i), closest[i]);
-      result[i] = side * distances[i];
+      const double side = closest[i] < 0 ? front : sides.SideOf(points.row(i), closest[i]);
+      result[i] = front * side * distances[i];
     });
   return result;
 }

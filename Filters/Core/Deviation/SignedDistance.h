@@ -19,7 +19,8 @@ public:
   /// Keeps references to the arguments.
   SurfaceSides(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
-  /// -1 inside, 1 outside and on the surface. \param closest triangle of the surface
+  /// -1 behind the triangles, that is inside unless the surface is inside out; 1 before and on
+  /// them. \param closest triangle of the surface
   double SideOf(const Vector3& x, Index closest) const;
 
 private:
@@ -34,15 +35,11 @@ private:
   Points VertexNormals; ///< all of OfVertex(): a vertex may have many triangles
 };
 
-/// Whether every edge has two triangles that run along it in opposite directions, so that the
-/// surface has an inside. False without triangles.
-bool IsClosedAndOriented(const Triangles& triangles, const MeshTopology& topology);
-
-/// The distances with a sign: negative inside the reference, seen from outside of which its
-/// triangles are counter-clockwise. Where bodies overlap, the sign is that of the closest one.
+/// The distances with a sign: negative inside the reference, also if that IsInsideOut(). Where
+/// bodies overlap, the sign is that of the closest one.
 /// \param distances of the points to the reference
 /// \param closest triangle of the reference, for each point; -1 stands for outside
-/// \return nothing unless the reference is closed and oriented
+/// \return nothing unless the reference IsClosedAndOriented()
 /// \throw Cancelled if the monitor says so.
 std::optional<Vector> SignedDistances(const Points& points, const Vector& distances,
   const std::vector<Index>& closest, const Points& referenceV, const Triangles& referenceTriangles,

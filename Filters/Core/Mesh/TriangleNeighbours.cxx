@@ -3,6 +3,7 @@
 #include "Core/Mesh/TriangleNeighbours.h"
 
 #include "Core/Base/Threading.h"
+#include "Core/Mesh/TriangleGeometry.h"
 
 namespace lmo
 {
@@ -52,5 +53,27 @@ Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology&
       }
     });
   return neighbours;
+}
+
+bool IsClosedAndOriented(const Triangles& triangles, const MeshTopology& topology)
+{
+  const Index openEdges = ParallelSum(static_cast<Index>(triangles.rows()), Index(0),
+    [&](Index& sum, Index t)
+    {
+      for (int k = 0; k < 3 && !IsDegenerate(triangles, t); ++k)
+      {
+        sum += NeighbourAcross(triangles, topology, triangles(t, k), triangles(t, (k + 1) % 3)) ==
+               NoNeighbour;
+      }
+    });
+  return openEdges == 0 && !topology.cornersAt.ids.empty();
+}
+
+bool IsInsideOut(const Points& V, const Triangles& triangles, const MeshTopology& topology)
+{
+  constexpr double roundOff = 1e-12;
+  const double diagonal = BoundingBoxDiagonal(V, topology);
+  return EnclosedVolume(V, triangles) < -roundOff * diagonal * diagonal * diagonal &&
+         IsClosedAndOriented(triangles, topology);
 }
 }

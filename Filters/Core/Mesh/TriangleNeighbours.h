@@ -17,6 +17,14 @@ Index NeighbourAcross(const Triangles& triangles, const MeshTopology& topology, 
 /// One row per triangle: the triangle across the edge that leaves each corner counter-clockwise, or
 /// NoNeighbour.
 Triangles FindTriangleNeighbours(const Triangles& triangles, const MeshTopology& topology);
+
+/// Whether every edge has two triangles that run along it in opposite directions, so that the
+/// surface has an inside. False without triangles.
+bool IsClosedAndOriented(const Triangles& triangles, const MeshTopology& topology);
+
+/// Whether a surface that IsClosedAndOriented() encloses a negative volume: its triangles are
+/// counter-clockwise seen from inside. False for other surfaces.
+bool IsInsideOut(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 }
 
 #endif
