@@ -23,7 +23,7 @@ PLUGIN = os.environ["LMO_PLUGIN"]
 
 def free_port():
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
 
 
@@ -36,7 +36,7 @@ def connect(command):
     for _ in range(60):
         time.sleep(1)
         if is_listening(port):
-            Connect("localhost", port)
+            Connect("127.0.0.1", port)
             return
     server.terminate()
     sys.exit("The server does not listen.")

@@ -36,7 +36,7 @@ class Server(unittest.TestCase):
         local = optimized()
         self.local_points = points(local)
         self.local_ratio = local.MeanRadiusRatio
-        Connect("localhost", PORT)
+        Connect("127.0.0.1", PORT)
 
     def test_the_server_does_what_the_client_alone_does(self):
         LoadPlugin(PLUGIN, remote=True, ns=globals())
