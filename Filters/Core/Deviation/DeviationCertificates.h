@@ -31,6 +31,13 @@ public:
     std::vector<Index> used; ///< triangles of the second mesh that the certificate needs
   };
 
+  /// What a check looks for, and how hard.
+  enum Extent
+  {
+    ALL_FAILURES, ///< each triangle gets all that a proof may need
+    FIRST_FAILURE ///< it ends at one failure, and what takes long to prove is one, too
+  };
+
   /// Begins with equal positions.
   explicit DeviationCertificates(Index triangles);
 
@@ -39,7 +46,8 @@ public:
   /// \param tree of \a mesh; refitted if it is needed
   /// \throw Cancelled if the monitor says so; the certificates are of no use then.
   std::vector<Failure> Check(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+    const SurfaceView& mesh, TriangleBvh& tree, double distance, Extent extent,
+    ProgressMonitor& monitor);
 
   const Certificate& Get(Index triangle) const { return this->Certificates[triangle]; }
   void Set(Index triangle, Certificate certificate)
@@ -59,6 +67,11 @@ public:
   double GetBound() const;
 
 private:
+  std::vector<Failure> FindAll(const std::vector<Index>& list, const Points& V,
+    const SurfaceView& mesh, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+  std::vector<Failure> FindFirst(const std::vector<Index>& list, const Points& V,
+    const SurfaceView& mesh, TriangleBvh& tree, double distance);
+
   std::vector<Certificate> Certificates;
 };
 

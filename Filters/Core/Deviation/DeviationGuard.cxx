@@ -9,6 +9,7 @@
 
 namespace lmo
 {
+int g_reason;
 namespace
 {
 /// Share of the distance that round-off may not use.
@@ -83,16 +84,22 @@ std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
 }
 
 std::vector<Index> DeviationGuard::FindAstray(
-  const std::vector<Index>& list, ProgressMonitor& monitor)
+  const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor)
 {
   std::vector<Index> astray;
-  for (const DeviationBounds::Failure& failure : this->Bounds.CheckCandidate(list, monitor))
+  for (const DeviationBounds::Failure& failure : this->Bounds.CheckCandidate(list, extent, monitor))
   {
     astray.push_back(failure.triangle);
   }
   std::copy_if(list.begin(), list.end(), std::back_inserter(astray),
     [this](Index t) { return this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)); });
   return astray;
+}
+
+bool DeviationGuard::IsSpoilt(Index t, double leastQuality) const
+{
+  return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsTurnedOver(t) ||
+         this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
 }
 
 std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
@@ -109,20 +116,20 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
 
   std::vector<Failure> failures;
   std::vector<Index> bad = Split(changed, monitor,
-    [&](Index t)
-    {
-      return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsTurnedOver(t) ||
-             this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
-    });
+    [&](Index t) { return this->IsSpoilt(t, leastQuality); });
+  g_reason = 0;
+  for (Index t : bad) g_reason |= (this->Shapes.IsBad(t, leastQuality) ? 1 : 0) | (this->Shapes.IsTurnedOver(t) ? 2 : 0) | (this->Shapes.IsFolded(t) ? 4 : 0) | (this->Shapes.IsInverted(t) ? 8 : 0);
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
   if (!isDecided())
   {
     failures = this->FindInvertedBeside(vertices, monitor);
+    if (!failures.empty()) g_reason |= 16;
   }
   if (!isDecided())
   {
-    const std::vector<Index> astray = this->FindAstray(changed, monitor);
+    const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
+    for (Index t : astray) g_reason |= this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)) ? 64 : 32;
     bad.insert(bad.end(), astray.begin(), astray.end());
   }
   // What has not moved is accepted already; its neighbours are to blame for a fold between them.
@@ -133,15 +140,26 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   }
   if (!isDecided())
   {
-    // Single displacements would add up in certificates that are carried over.
-    const bool carries = extent == ALL_FAILURES;
-    for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, carries, monitor))
+    for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, extent, monitor))
     {
+      g_reason |= 128;
       this->OpenOriginal.push_back(triangle);
       failures.push_back({ close < 0 ? triangle : close, this->Bounds.GetUsed(triangle) });
     }
   }
   return failures;
+}
+
+bool DeviationGuard::IsValid(Index vertex, const Vector3& position)
+{
+  const std::vector<Index> changed = this->TrianglesAt({ vertex });
+  this->Propose(vertex, position);
+  this->Shapes.Update(changed);
+  const bool isValid =
+    std::none_of(changed.begin(), changed.end(), [this](Index t) { return this->IsSpoilt(t, 0); });
+  this->Propose(vertex, this->Mesh.accepted.row(vertex));
+  this->Shapes.RollBack(changed);
+  return isValid;
 }
 
 void DeviationGuard::Accept()

@@ -8,6 +8,13 @@
 
 namespace lmo
 {
+/// How much is spent on the proof for one triangle.
+struct Subdivision
+{
+  const TriangleBvh& tree; ///< of the mesh
+  int mostSearches;        ///< for closest points; what needs more is not proven
+};
+
 struct Nearness
 {
   bool isProven = false;
@@ -18,9 +25,10 @@ struct Nearness
 /// Proves that a triangle lies within a distance of a mesh. The distance to one triangle, a convex
 /// set, is a convex function: if the corners are within it, so is all between them. Where no single
 /// triangle of the mesh serves, the triangle is divided into four, up to six times.
+/// \param subdivision the search of the mesh, and how often it may be asked
 /// \param hint triangle of the mesh that is perhaps close, or -1
 Nearness TestBySubdivision(
-  const TriangleCorners& triangle, const TriangleBvh& tree, double distance, Index hint);
+  const TriangleCorners& triangle, const Subdivision& subdivision, double distance, Index hint);
 }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef lmo_VertexPatternSearch_h
-#define lmo_VertexPatternSearch_h
+#ifndef lmo_WorstTriangles_h
+#define lmo_WorstTriangles_h
 
 #include "Core/Base/ProgressMonitor.h"
 #include "Core/Deviation/DeviationGuard.h"
