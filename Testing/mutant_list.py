@@ -210,7 +210,7 @@ MUTANTS = [
         ("no t falls below what it may", "Deviation/TriangleValidity.cxx",
          "std::min(least, this->AcceptedQuality[t])", "std::min(least, this->AcceptedQuality[t]) - 1",
          "TestDeviation-Guarantee"),
-        ("the worst triangles are raised", "Deviation/VertexPatternSearch.cxx",
+        ("the worst triangles are raised", "Deviation/WorstTriangles.cxx",
          "MostSweeps = 10", "MostSweeps = 0", "TestDeviation-WorstTriangles"),
     ),
     *area(

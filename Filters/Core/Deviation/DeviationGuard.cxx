@@ -9,7 +9,6 @@
 
 namespace lmo
 {
-int g_reason;
 namespace
 {
 /// Share of the distance that round-off may not use.
@@ -117,19 +116,15 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   std::vector<Failure> failures;
   std::vector<Index> bad = Split(changed, monitor,
     [&](Index t) { return this->IsSpoilt(t, leastQuality); });
-  g_reason = 0;
-  for (Index t : bad) g_reason |= (this->Shapes.IsBad(t, leastQuality) ? 1 : 0) | (this->Shapes.IsTurnedOver(t) ? 2 : 0) | (this->Shapes.IsFolded(t) ? 4 : 0) | (this->Shapes.IsInverted(t) ? 8 : 0);
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
   if (!isDecided())
   {
     failures = this->FindInvertedBeside(vertices, monitor);
-    if (!failures.empty()) g_reason |= 16;
   }
   if (!isDecided())
   {
     const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
-    for (Index t : astray) g_reason |= this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)) ? 64 : 32;
     bad.insert(bad.end(), astray.begin(), astray.end());
   }
   // What has not moved is accepted already; its neighbours are to blame for a fold between them.
@@ -142,7 +137,6 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   {
     for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, extent, monitor))
     {
-      g_reason |= 128;
       this->OpenOriginal.push_back(triangle);
       failures.push_back({ close < 0 ? triangle : close, this->Bounds.GetUsed(triangle) });
     }

@@ -15,6 +15,8 @@ namespace
 constexpr double LongestStep = 0.4;   ///< in mean edge lengths
 constexpr double ShortestStep = 0.01; ///< the place is not worth more
 constexpr int StepsOfLength = 4;      ///< before steps become shorter
+constexpr double LiftStep = 0.01;     ///< in mean edge lengths
+constexpr double HighestLift = 0.105; ///< the same; it tilts three triangles by 20 degrees
 constexpr double TurnedOver = -1;     ///< in the place of t
 }
 
@@ -96,9 +98,7 @@ StarShape StarSearch::Measure(const Vector3& position, double least) const
   return shape;
 }
 
-StarSearch::Place StarSearch::FindBest(const Place& start, const std::vector<Vector3>& directions,
-  double goal, const std::function<Vector3(const Vector3&)>& place,
-  const std::function<bool(const Vector3&)>& isAllowed) const
+StarSearch::Place StarSearch::FindBest(const Place& start, const Motion& motion, double goal) const
 {
   Place best = start;
   for (double step = LongestStep; step > ShortestStep; step /= 2)
@@ -108,18 +108,38 @@ StarSearch::Place StarSearch::FindBest(const Place& start, const std::vector<Vec
     {
       isBetter = false;
       const Vector3 from = best.position;
-      for (const Vector3& direction : directions)
+      for (const Vector3& direction : motion.directions)
       {
-        const Vector3 position = place(from + step * this->Size * direction);
-        const StarShape shape = this->Measure(position, std::min(best.shape.minimum, goal));
-        if (shape.IsBetter(best.shape, goal) && isAllowed(position))
-        {
-          best = { position, shape };
-          isBetter = true;
-        }
+        isBetter |= this->Try(from + step * this->Size * direction, motion, goal, best);
       }
     }
   }
   return best;
+}
+
+StarSearch::Place StarSearch::Lift(
+  const Place& start, const Vector3& normal, const Motion& motion, double goal) const
+{
+  Place best = start;
+  for (double height = LiftStep; height < HighestLift && best.shape.minimum < goal;
+       height += LiftStep)
+  {
+    const Vector3 offset = height * this->Size * normal;
+    this->Try(start.position + offset, motion, goal, best);
+    this->Try(start.position - offset, motion, goal, best);
+  }
+  return best;
+}
+
+bool StarSearch::Try(const Vector3& position, const Motion& motion, double goal, Place& best) const
+{
+  const Vector3 placed = motion.place(position);
+  const StarShape shape = this->Measure(placed, std::min(best.shape.minimum, goal));
+  const bool isBetter = shape.IsBetter(best.shape, goal) && motion.isAllowed(placed);
+  if (isBetter)
+  {
+    best = { placed, shape };
+  }
+  return isBetter;
 }
 }

@@ -60,17 +60,26 @@ public:
   /// \param least stops at t below it
   StarShape Measure(const Vector3& position, double least = -2) const;
 
+  /// Where the vertex may be.
+  struct Motion
+  {
+    std::vector<Vector3> directions;              ///< of steps, unit vectors
+    std::function<Vector3(const Vector3&)> place; ///< the closest position that the vertex may have
+    std::function<bool(const Vector3&)>
+      isAllowed; ///< asked for what is better than the best so far
+  };
+
   /// The best place that a search in steps finds, which are halved where none leads to a better
   /// one: the least t is close to quasi-concave (the mean ratio, whose level sets are discs, is;
   /// Amenta, Bern, Eppstein 1999), so that there is hardly a local maximum to fall into.
-  /// \param start where the search begins, with its shape
-  /// \param directions unit vectors
+  /// \param start where the search begins
   /// \param goal t above which the minimum does not count
-  /// \param place maps a position to where the vertex may be
-  /// \param isAllowed is asked for positions that are better than the best so far
-  Place FindBest(const Place& start, const std::vector<Vector3>& directions, double goal,
-    const std::function<Vector3(const Vector3&)>& place,
-    const std::function<bool(const Vector3&)>& isAllowed) const;
+  Place FindBest(const Place& start, const Motion& motion, double goal) const;
+
+  /// The least height above or below a place where the minimum reaches the goal, or else the best
+  /// one: three triangles around a vertex in their plane have t = 0.46 at most.
+  /// \param normal unit vector
+  Place Lift(const Place& start, const Vector3& normal, const Motion& motion, double goal) const;
 
 private:
   struct Cell
@@ -82,6 +91,8 @@ private:
 
   void AddTriangle(Index corner);
   void AddPolygon(Index polygon, Index vertex);
+  /// Makes a position the best one, if it is better.
+  bool Try(const Vector3& position, const Motion& motion, double goal, Place& best) const;
   double MeasureCell(const Cell& cell, const Vector3& position) const;
 
   const Points& V;

@@ -7,26 +7,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
-#include <ctime>
 
 namespace lmo
 {
-extern int g_reason;
 namespace
 {
-std::vector<double> Env(const char* n, std::vector<double> d) { if (const char* s = getenv(n)) { d.clear(); char* e; for (double x = strtod(s, &e); e != s; x = strtod(s, &e)) { d.push_back(x); s = e; if (*s) ++s; } } return d; }
- ///< of t, one after the other
-constexpr double GoalStep = 0.01;              ///< beyond, as long as all triangles reach the goal
+constexpr double FirstGoal = 0.45; ///< of t
+constexpr double GoalStep = 0.01;  ///< to the next one, as long as all triangles reach the goal
+constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
+constexpr int MostSweeps = 10;     ///< for one goal
 constexpr int Directions = 8;
-constexpr int MostSweeps = 10;
-constexpr double SmallestGain = 1e-3;
-constexpr double LargestLoss = 2e-3; ///< of t_mean, at which triangles are raised
-const double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement, which the guard is asked for
+constexpr double SmallestGain = 1e-3;         ///< in t, for which a move is worth it
+constexpr double SmallestRelativeGain = 0.01; ///< the same, in terms of t
+constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
+constexpr double MostAttempts = 0.5;          ///< for each triangle, about the cost of the passes
+constexpr double EnoughAttempts = 500;        ///< where there are few triangles
+constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 
-struct Counters { long reasons[256] = {}; long solves = 0, found = 0, tries = 0, accepted = 0, acc[4] = {}; double solve=0, judge=0, accept=0; } C;
-double Now() { timespec t; clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t); return t.tv_sec + 1e-9 * t.tv_nsec; }
+Index CountCells(const Triangles& triangles, const MeshTopology& topology)
+{
+  return topology.polygons.IsEmpty() ? static_cast<Index>(triangles.rows())
+                                     : topology.polygons.Size();
+}
 
 class Search
 {
@@ -39,71 +41,34 @@ public:
     , Constraints(constraints)
     , Place(place)
     , Star(guard.GetAccepted(), triangles, topology)
-    , LossLeft(LargestLoss * static_cast<double>(topology.polygons.IsEmpty()
-                                                   ? triangles.rows()
-                                                   : Eigen::Index(topology.polygons.Size())))
+    , LossLeft(LargestLoss * CountCells(triangles, topology))
+    , AttemptsLeft(std::max(EnoughAttempts, MostAttempts * static_cast<double>(triangles.rows())))
     , IsExhausted(topology.vertices, false)
   {
   }
 
   /// Raises the triangles with t below the goal, the worst first.
-  void Raise(double goal, ProgressMonitor& monitor)
+  /// \return whether all of them that can move have reached it
+  bool Raise(double goal, ProgressMonitor& monitor)
   {
-    for (int sweep = 0; sweep < MostSweeps && this->Sweep(goal, monitor); ++sweep)
+    for (int sweep = 0; sweep < MostSweeps && this->Sweep(goal, ALONG_SURFACE, monitor); ++sweep)
     {
     }
-  }
-
-  /// Whether all triangles but those that cannot move have reached the goal.
-  bool HaveReached(double goal) const
-  {
-    const std::vector<Index> below = this->WorstFirst(goal);
-    return below.empty() || this->Guard.GetAcceptedQuality()[below.front()] > goal - SmallestGain;
+    if (goal <= LiftedGoal)
+    {
+      this->Sweep(goal, LIFTED, monitor);
+    }
+    return this->WorstFirst(goal).empty();
   }
 
 private:
-public:
-  void Debug(double goal)
+  enum Motion
   {
-    for (int r = 0; r < 256; ++r) if (C.reasons[r]) fprintf(stderr, "reason %d: %ld\n", r, C.reasons[r]);
-    const auto worst = WorstFirst(goal);
-    for (size_t n = 0; n < std::min<size_t>(worst.size(), 8); ++n)
-    {
-      const Index t = worst[n];
-      fprintf(stderr, "triangle %d t %.4f:\n", t, this->Guard.GetAcceptedQuality()[t]);
-      for (int k = 0; k < 3; ++k)
-      {
-        const Index vertex = T(t, k);
-        this->Star.SetVertex(vertex);
-        const Vector3 here = this->Guard.GetAccepted().row(vertex);
-        const StarSearch::Place start{ here, this->Star.Measure(here) };
-        fprintf(stderr, "   %d freedom %d valence %d min %.4f", vertex, this->Constraints.freedom[vertex], this->Topology.cornersAt.Size(vertex), start.shape.minimum);
-        if (!this->IsFixed(vertex)) {
-        const auto place = [&](const Vector3& x) { return this->Place(vertex, x); };
-        const StarSearch::Place best = this->Star.FindBest(start, this->DirectionsOf(vertex), goal, place,
-        [&](const Vector3& x) { return this->Guard.IsValid(vertex, x); });
-        fprintf(stderr, " best %.4f:", best.shape.minimum);
-        for (double share : {1., .5, .25, .1, .05})
-        {
-          const Vector3 position = place(here + share * (best.position - here));
-          const StarShape shape = this->Star.Measure(position);
-          ProgressMonitor unwatched;
-          this->Guard.Propose(vertex, position);
-          this->Guard.Judge({ vertex }, start.shape.minimum, DeviationGuard::FIRST_FAILURE, unwatched).empty();
-          this->Guard.RollBack();
-          fprintf(stderr, " %.2f %.4f reason %d;", share, shape.minimum, g_reason);
-        } }
-        fprintf(stderr, "\n");
-      }
-    }
-  }
-private:
-  bool IsFixed(Index i) const
-  {
-    return this->Constraints.freedom[i] == DisplacementConstraints::FIXED;
-  }
+    ALONG_SURFACE,
+    LIFTED ///< off the surface, where nothing else helps
+  };
 
-  bool Sweep(double goal, ProgressMonitor& monitor)
+  bool Sweep(double goal, Motion motion, ProgressMonitor& monitor)
   {
     bool hasMoved = false;
     for (const Index t : this->WorstFirst(goal))
@@ -111,21 +76,27 @@ private:
       monitor.Report(0);
       for (int k = 0; k < 3 && this->Guard.GetAcceptedQuality()[t] < goal; ++k)
       {
-        hasMoved |= this->Improve(this->T(t, k), goal);
+        hasMoved |= this->Improve(this->T(t, k), goal, motion);
       }
     }
     return hasMoved;
   }
 
+  bool IsFixed(Index i) const
+  {
+    return this->Constraints.freedom[i] == DisplacementConstraints::FIXED;
+  }
+
+  /// The triangles with t below the goal, without those that cannot move.
   std::vector<Index> WorstFirst(double goal) const
   {
     const Vector& quality = this->Guard.GetAcceptedQuality();
     std::vector<Index> worst;
     for (Index t = 0; t < static_cast<Index>(quality.size()); ++t)
     {
-      if (quality[t] < goal && !IsDegenerate(this->T, t) &&
-          !(this->IsFixed(this->T(t, 0)) && this->IsFixed(this->T(t, 1)) &&
-            this->IsFixed(this->T(t, 2))))
+      const bool isPinned = this->IsFixed(this->T(t, 0)) && this->IsFixed(this->T(t, 1)) &&
+                            this->IsFixed(this->T(t, 2));
+      if (quality[t] < goal && !isPinned && !IsDegenerate(this->T, t))
       {
         worst.push_back(t);
       }
@@ -135,15 +106,21 @@ private:
     return worst;
   }
 
-  /// Unit directions in which the vertex may move.
-  std::vector<Vector3> DirectionsOf(Index vertex) const
+  /// Unit normal of the vertex within the free axes; 0 where undefined.
+  Vector3 NormalAt(Index vertex) const
   {
-    const Vector3 axis = this->Constraints.axes.row(vertex);
+    const Vector3 normal = VertexNormal(this->Guard.GetAccepted(), this->T, this->Topology, vertex);
+    return normal.cwiseProduct(this->Constraints.freeAxes).stableNormalized();
+  }
+
+  /// Unit directions in which the vertex may move.
+  std::vector<Vector3> DirectionsOf(Index vertex, const Vector3& normal) const
+  {
     if (this->Constraints.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
     {
+      const Vector3 axis = this->Constraints.axes.row(vertex);
       return { axis, -axis };
     }
-    const Vector3 normal = VertexNormal(this->Guard.GetAccepted(), this->T, this->Topology, vertex);
     if (normal.isZero(0))
     {
       return {};
@@ -154,7 +131,8 @@ private:
     for (int k = 0; k < Directions; ++k)
     {
       const double angle = 2 * Pi * k / Directions;
-      directions.push_back(std::cos(angle) * u + std::sin(angle) * v);
+      const Vector3 direction = std::cos(angle) * u + std::sin(angle) * v;
+      directions.push_back(direction.cwiseProduct(this->Constraints.freeAxes));
     }
     return directions;
   }
@@ -164,65 +142,81 @@ private:
   bool TryMove(Index vertex, const Vector3& position, double least)
   {
     ProgressMonitor unwatched;
-    double t0 = Now();
     this->Guard.Propose(vertex, position);
+    --this->AttemptsLeft;
     const bool isValid =
       this->Guard.Judge({ vertex }, least, DeviationGuard::FIRST_FAILURE, unwatched).empty();
-    double t1 = Now();
     isValid ? this->Guard.Accept() : this->Guard.RollBack();
-    double t2 = Now();
-    C.tries++; C.reasons[isValid ? 0 : g_reason]++; Reason = isValid ? 0 : g_reason; C.accepted += isValid; C.judge += t1 - t0; C.accept += t2 - t1;
     return isValid;
   }
 
-  /// Moves the vertex to where the least t around it is greatest.
+  /// Moves the vertex to where the least t around it is greatest, if that pays.
   /// \return whether it has moved
-  bool Improve(Index vertex, double goal)
+  bool Improve(Index vertex, double goal, Motion motion)
   {
-    if (this->IsFixed(vertex) || this->IsExhausted[vertex])
+    const bool mayTry = motion == LIFTED
+                          ? this->Constraints.freedom[vertex] == DisplacementConstraints::IN_PLANE
+                          : !this->IsFixed(vertex) && !this->IsExhausted[vertex];
+    if (!mayTry || this->AttemptsLeft <= 0)
     {
       return false;
     }
-    this->IsExhausted[vertex] = !this->MoveToBest(vertex, goal);
-    if (this->IsExhausted[vertex])
+    this->Star.SetVertex(vertex);
+    const Vector3 here = this->Guard.GetAccepted().row(vertex);
+    const StarSearch::Place start{ here, this->Star.Measure(here) };
+    this->IsExhausted[vertex] =
+      !this->MoveTowards(vertex, start, this->FindBest(vertex, start, goal, motion), goal);
+    if (!this->IsExhausted[vertex])
     {
-      return false;
+      for (const Index j : this->Topology.oneRings[vertex])
+      {
+        this->IsExhausted[j] = false;
+      }
     }
-    for (const Index j : this->Topology.oneRings[vertex])
-    {
-      this->IsExhausted[j] = false;
-    }
-    return true;
+    return !this->IsExhausted[vertex];
   }
 
-  bool MoveToBest(Index vertex, double goal)
+  Vector3 FindBest(Index vertex, const StarSearch::Place& start, double goal, Motion motion)
   {
-    const Vector3 here = this->Guard.GetAccepted().row(vertex);
-    double t0 = Now();
-    this->Star.SetVertex(vertex);
-    const StarSearch::Place start{ here, this->Star.Measure(here) };
-    const auto place = [&](const Vector3& x) { return this->Place(vertex, x); };
-    const StarSearch::Place best =
-      this->Star.FindBest(start, this->DirectionsOf(vertex), goal, place,
-        [&](const Vector3& x) { return this->Guard.IsValid(vertex, x); });
-    C.solve += Now() - t0; C.solves++;
-    int k = 0;
+    const Vector3 normal = this->NormalAt(vertex);
+    const StarSearch::Motion freedom{ this->DirectionsOf(vertex, normal),
+      [&](const Vector3& x) { return this->Place(vertex, x); },
+      [&](const Vector3& x) { return this->Guard.IsValid(vertex, x); } };
+    StarSearch::Place best = this->Star.FindBest(start, freedom, goal);
+    if (motion == LIFTED)
+    {
+      best = this->Star.Lift(best, normal, freedom, goal);
+    }
+    return best.position;
+  }
+
+  /// Moves the vertex as far towards a position as the guard allows, in three attempts.
+  bool MoveTowards(
+    Index vertex, const StarSearch::Place& start, const Vector3& position, double goal)
+  {
     for (const double share : Shares)
     {
-      const Vector3 position = share == 1 ? best.position : place(here + share * (best.position - here));
-      const StarShape shape = this->Star.Measure(position);
-      if (shape.minimum > start.shape.minimum + SmallestGain &&
-          start.shape.sum - shape.sum <= this->LossLeft)
+      const Vector3 part =
+        share == 1 ? position
+                   : this->Place(vertex, start.position + share * (position - start.position));
+      const StarShape shape = this->Star.Measure(part);
+      if (this->IsWorthIt(start.shape, shape, goal) &&
+          this->TryMove(vertex, part, start.shape.minimum))
       {
-        if (share == 1) C.found++;
-        if (this->TryMove(vertex, position, start.shape.minimum)) {
         this->LossLeft += shape.sum - start.shape.sum;
-        C.acc[k]++;
-        return true; }
+        return true;
       }
-      k++;
     }
     return false;
+  }
+
+  bool IsWorthIt(const StarShape& before, const StarShape& after, double goal) const
+  {
+    const double gain = after.minimum - before.minimum;
+    const bool isEnough = after.minimum >= goal
+                            ? gain > 0
+                            : gain > SmallestGain + SmallestRelativeGain * before.minimum;
+    return isEnough && before.sum - after.sum <= this->LossLeft && this->AttemptsLeft > 0;
   }
 
   DeviationGuard& Guard;
@@ -231,10 +225,9 @@ private:
   const DisplacementConstraints& Constraints;
   const PlaceVertex& Place;
   StarSearch Star;
-public:
-  int Reason = 0;
-  double LossLeft;  ///< of the sum of all t
-  Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
+  double LossLeft;     ///< of the sum of all t
+  double AttemptsLeft; ///< of moves that the guard judges
+  Mask IsExhausted;    ///< no position helps the vertex, as long as its neighbours stay
 };
 }
 
@@ -242,18 +235,11 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   const MeshTopology& topology, const DisplacementConstraints& constraints,
   const PlaceVertex& place, ProgressMonitor& monitor)
 {
-  C = {};
   Search search(guard, triangles, topology, constraints, place);
-  double goal = 0;
-  const auto report = [&] { if (getenv("LMO_TRACE")) fprintf(stderr, "goal %.3f solves %ld found %ld tries %ld acc %ld (%ld %ld %ld) solve %.3f judge %.3f accept %.3f loss %.5f min %.4f\n", goal, C.solves, C.found, C.tries, C.accepted, C.acc[0], C.acc[1], C.acc[2], C.solve, C.judge, C.accept, LargestLoss - search.LossLeft / triangles.rows(), guard.GetAcceptedQuality().minCoeff()); };
-  for (const double g : Env("LMO_GOALS", { .3, .4, .45 }))
+  double goal = FirstGoal;
+  while (goal < 1 && search.Raise(goal, monitor))
   {
-    search.Raise(goal = g, monitor); report();
+    goal += GoalStep;
   }
-  for (; goal < 1 && search.HaveReached(goal);)
-  {
-    search.Raise(goal += GoalStep, monitor); report();
-  }
-  if (getenv("LMO_TRACE")) search.Debug(.45);
 }
 }
