@@ -60,6 +60,12 @@ public:
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const;
 
+  /// Of proofs so far, see DeviationCertificates.
+  std::int64_t GetEffort() const
+  {
+    return this->ToOriginal.GetEffort() + this->ToCandidate.GetEffort();
+  }
+
   /// Accepts these triangles of the candidate, before their positions are, and all certificates.
   void Accept(const std::vector<Index>& triangles);
 

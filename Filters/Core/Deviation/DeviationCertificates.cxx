@@ -31,9 +31,10 @@ void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
   }
 }
 
-/// Searches for closest points that a proof may need, with which 4 to 6 divisions are complete.
-constexpr int MostSearches = 1 << 16;
-constexpr int FewSearches = 64; ///< where one of many proposals is judged
+/// Searches for closest points: more than the deepest subdivision needs, and what is spent where
+/// one of many proposals is judged.
+constexpr int EnoughSearches = 1 << 20;
+constexpr int FewSearches = 256;
 
 /// Proves triangles, each by an overlay or, if none exists, by subdivision.
 class Prover
@@ -48,7 +49,7 @@ public:
 
   /// \param subdivision null if only the overlay is to be tried
   /// \param close is set to a triangle of the mesh that is close to a failure, or to -1
-  OverlayBound::Verdict Prove(Index triangle, const Subdivision* subdivision,
+  OverlayBound::Verdict Prove(Index triangle, Subdivision* subdivision,
     DeviationCertificates::Certificate& certificate, Index& close)
   {
     const TriangleCorners corners = CornersOf(this->V, this->Mesh.T, triangle);
@@ -108,8 +109,10 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
   double distance)
 {
   Prover prover(V, mesh, distance);
+  this->Effort += static_cast<std::int64_t>(list.size());
   std::vector<Index> open;
   Index close = -1;
+  Index failed = -1;
   for (const Index t : list)
   {
     const OverlayBound::Verdict verdict = prover.Prove(t, nullptr, this->Certificates[t], close);
@@ -126,15 +129,15 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
   {
     tree.Refit();
   }
-  const Subdivision subdivision{ tree, FewSearches };
-  for (const Index t : open)
-  {
-    if (prover.Prove(t, &subdivision, this->Certificates[t], close) == OverlayBound::BEYOND)
+  Subdivision subdivision{ tree, FewSearches };
+  const bool areProven = std::all_of(open.begin(), open.end(),
+    [&](Index t)
     {
-      return { { t, close } };
-    }
-  }
-  return {};
+      return prover.Prove(failed = t, &subdivision, this->Certificates[t], close) !=
+             OverlayBound::BEYOND;
+    });
+  this->Effort += FewSearches - std::max(subdivision.searchesLeft, 0);
+  return areProven ? std::vector<Failure>() : std::vector<Failure>{ { failed, close } };
 }
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
@@ -142,16 +145,19 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
   double distance, ProgressMonitor& monitor)
 {
   const auto size = static_cast<Index>(list.size());
+  this->Effort += size;
   Mask states(size, OverlayBound::UNCLEAR);
   std::vector<Index> close(size, -1);
-  const auto proveOpen = [&](const Subdivision* subdivision)
+  const auto proveOpen = [&](const TriangleBvh* closest)
   {
     InterruptibleFor(size, monitor,
       [&, prover = Prover(V, mesh, distance)](Index k) mutable
       {
         if (states[k] == OverlayBound::UNCLEAR)
         {
-          states[k] = prover.Prove(list[k], subdivision, this->Certificates[list[k]], close[k]);
+          Subdivision subdivision{ tree, EnoughSearches };
+          states[k] = prover.Prove(
+            list[k], closest ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
         }
       });
   };
@@ -159,8 +165,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
   if (std::find(states.begin(), states.end(), OverlayBound::UNCLEAR) != states.end())
   {
     tree.Refit();
-    const Subdivision subdivision{ tree, MostSearches };
-    proveOpen(&subdivision);
+    proveOpen(&tree);
   }
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)

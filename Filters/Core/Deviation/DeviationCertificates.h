@@ -60,6 +60,10 @@ public:
 
   Index Size() const { return static_cast<Index>(this->Certificates.size()); }
 
+  /// Number of proofs that Check() has tried, and of searches for closest points where it looked
+  /// for the FIRST_FAILURE: about proportional to its time.
+  std::int64_t GetEffort() const { return this->Effort; }
+
   /// The triangles whose certificates need one of the marked ones.
   std::vector<Index> FindDependent(const Mask& isMarked) const;
 
@@ -73,6 +77,7 @@ private:
     const SurfaceView& mesh, TriangleBvh& tree, double distance);
 
   std::vector<Certificate> Certificates;
+  std::int64_t Effort = 0;
 };
 
 /// For each triangle of a second mesh, the triangles whose certificates need it. A certificate that

@@ -114,8 +114,8 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   this->OpenOriginal.clear();
 
   std::vector<Failure> failures;
-  std::vector<Index> bad = Split(changed, monitor,
-    [&](Index t) { return this->IsSpoilt(t, leastQuality); });
+  std::vector<Index> bad =
+    Split(changed, monitor, [&](Index t) { return this->IsSpoilt(t, leastQuality); });
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
   if (!isDecided())

@@ -56,6 +56,9 @@ public:
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const { return this->Bounds.GetBound(); }
 
+  /// Number of proofs of distances so far: about proportional to the time spent on them.
+  std::int64_t GetEffort() const { return this->Bounds.GetEffort(); }
+
   /// Proposes a position; the vertex has to be named in the next Judge().
   void Propose(Index vertex, const Vector3& position)
   {

@@ -175,8 +175,8 @@ Index OverlayBound::FindCentre(const TriangleCorners& triangle, const SurfaceVie
   return this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
 }
 
-OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh,
-  const Subdivision* subdivision, Index t, const ProjectedTriangle& part, double distance)
+OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, Subdivision* subdivision,
+  Index t, const ProjectedTriangle& part, double distance)
 {
   const Piece piece = Clip(part.corners);
   const TriangleCorners over = CornersOf(mesh.V, mesh.T, t);
@@ -212,7 +212,7 @@ OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh,
 }
 
 OverlayBound::Verdict OverlayBound::Test(const TriangleCorners& triangle, const SurfaceView& mesh,
-  const Subdivision* subdivision, Index seed, double distance)
+  Subdivision* subdivision, Index seed, double distance)
 {
   this->Used.clear();
   this->Closer.clear();

@@ -65,8 +65,8 @@ public:
   /// \param mesh its triangle \a seed should be close to the centre of \a triangle
   /// \param subdivision in which pieces find closer triangles than the one over them; if it is
   /// null, such pieces are UNCLEAR \param distance that is allowed
-  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh,
-    const Subdivision* subdivision, Index seed, double distance);
+  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, Subdivision* subdivision,
+    Index seed, double distance);
 
   /// The mesh's triangle over the centre of \a triangle, or -1.
   Index FindCentre(const TriangleCorners& triangle, const SurfaceView& mesh, Index seed);
@@ -98,7 +98,7 @@ private:
   Index FindCentre(const SurfaceView& mesh, Index seed) const;
 
   /// Judges the piece of the triangle under \a t.
-  Verdict TestPiece(const SurfaceView& mesh, const Subdivision* subdivision, Index t,
+  Verdict TestPiece(const SurfaceView& mesh, Subdivision* subdivision, Index t,
     const ProjectedTriangle& part, double distance);
 
   /// The point of the triangle with these barycentric coordinates.

@@ -20,9 +20,9 @@ struct Sample
 class Division
 {
 public:
-  Division(const Subdivision& subdivision, double distance, Nearness& result)
+  Division(Subdivision& subdivision, double distance, Nearness& result)
     : Tree(subdivision.tree)
-    , SearchesLeft(subdivision.mostSearches)
+    , SearchesLeft(subdivision.searchesLeft)
     , Distance(distance)
     , Result(result)
   {
@@ -76,14 +76,14 @@ private:
   }
 
   const TriangleBvh& Tree;
-  int SearchesLeft;
+  int& SearchesLeft;
   const double Distance;
   Nearness& Result;
 };
 }
 
 Nearness TestBySubdivision(
-  const TriangleCorners& triangle, const Subdivision& subdivision, double distance, Index hint)
+  const TriangleCorners& triangle, Subdivision& subdivision, double distance, Index hint)
 {
   Nearness result;
   Division division(subdivision, distance, result);

@@ -8,11 +8,11 @@
 
 namespace lmo
 {
-/// How much is spent on the proof for one triangle.
+/// The search for closest points of a mesh, and how often proofs may use it.
 struct Subdivision
 {
-  const TriangleBvh& tree; ///< of the mesh
-  int mostSearches;        ///< for closest points; what needs more is not proven
+  const TriangleBvh& tree;
+  int searchesLeft; ///< what needs more is not proven
 };
 
 struct Nearness
@@ -25,10 +25,9 @@ struct Nearness
 /// Proves that a triangle lies within a distance of a mesh. The distance to one triangle, a convex
 /// set, is a convex function: if the corners are within it, so is all between them. Where no single
 /// triangle of the mesh serves, the triangle is divided into four, up to six times.
-/// \param subdivision the search of the mesh, and how often it may be asked
 /// \param hint triangle of the mesh that is perhaps close, or -1
 Nearness TestBySubdivision(
-  const TriangleCorners& triangle, const Subdivision& subdivision, double distance, Index hint);
+  const TriangleCorners& triangle, Subdivision& subdivision, double distance, Index hint);
 }
 
 #endif

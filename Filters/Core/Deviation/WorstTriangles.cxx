@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace lmo
 {
@@ -16,12 +17,14 @@ constexpr double FirstGoal = 0.45; ///< of t
 constexpr double GoalStep = 0.01;  ///< to the next one, as long as all triangles reach the goal
 constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
 constexpr int MostSweeps = 10;     ///< for one goal
+constexpr double Stalling = 0.95;  ///< of what is missing to the goal, left by a sweep that ends it
 constexpr int Directions = 8;
 constexpr double SmallestGain = 1e-3;         ///< in t, for which a move is worth it
 constexpr double SmallestRelativeGain = 0.01; ///< the same, in terms of t
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
-constexpr double MostAttempts = 0.5;          ///< for each triangle, about the cost of the passes
-constexpr double EnoughAttempts = 500;        ///< where there are few triangles
+constexpr std::int64_t RelativeEffort = 2;    ///< of proofs, in terms of those until then
+constexpr std::int64_t EnoughEffort = 20000;  ///< where those were few
+constexpr double EffortAlongSurface = 0.75;   ///< share, before vertices are lifted
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 
 Index CountCells(const Triangles& triangles, const MeshTopology& topology)
@@ -42,7 +45,8 @@ public:
     , Place(place)
     , Star(guard.GetAccepted(), triangles, topology)
     , LossLeft(LargestLoss * CountCells(triangles, topology))
-    , AttemptsLeft(std::max(EnoughAttempts, MostAttempts * static_cast<double>(triangles.rows())))
+    , EffortBefore(guard.GetEffort())
+    , MostEffort(EnoughEffort + RelativeEffort * guard.GetEffort())
     , IsExhausted(topology.vertices, false)
   {
   }
@@ -51,8 +55,16 @@ public:
   /// \return whether all of them that can move have reached it
   bool Raise(double goal, ProgressMonitor& monitor)
   {
-    for (int sweep = 0; sweep < MostSweeps && this->Sweep(goal, ALONG_SURFACE, monitor); ++sweep)
+    double before = std::numeric_limits<double>::infinity();
+    for (int sweep = 0; sweep < MostSweeps; ++sweep)
     {
+      const double missing = this->MissingTo(goal);
+      if (!(missing < Stalling * before))
+      {
+        break;
+      }
+      before = missing;
+      this->Sweep(goal, ALONG_SURFACE, monitor);
     }
     if (goal <= LiftedGoal)
     {
@@ -68,18 +80,28 @@ private:
     LIFTED ///< off the surface, where nothing else helps
   };
 
-  bool Sweep(double goal, Motion motion, ProgressMonitor& monitor)
+  /// Tries each vertex of each triangle below the goal once.
+  void Sweep(double goal, Motion motion, ProgressMonitor& monitor)
   {
-    bool hasMoved = false;
     for (const Index t : this->WorstFirst(goal))
     {
       monitor.Report(0);
       for (int k = 0; k < 3 && this->Guard.GetAcceptedQuality()[t] < goal; ++k)
       {
-        hasMoved |= this->Improve(this->T(t, k), goal, motion);
+        this->Improve(this->T(t, k), goal, motion);
       }
     }
-    return hasMoved;
+  }
+
+  /// Sum of what the triangles lack that can move.
+  double MissingTo(double goal) const
+  {
+    double missing = 0;
+    for (const Index t : this->WorstFirst(goal))
+    {
+      missing += goal - this->Guard.GetAcceptedQuality()[t];
+    }
+    return missing;
   }
 
   bool IsFixed(Index i) const
@@ -143,29 +165,36 @@ private:
   {
     ProgressMonitor unwatched;
     this->Guard.Propose(vertex, position);
-    --this->AttemptsLeft;
     const bool isValid =
       this->Guard.Judge({ vertex }, least, DeviationGuard::FIRST_FAILURE, unwatched).empty();
     isValid ? this->Guard.Accept() : this->Guard.RollBack();
     return isValid;
   }
 
-  /// Moves the vertex to where the least t around it is greatest, if that pays.
-  /// \return whether it has moved
-  bool Improve(Index vertex, double goal, Motion motion)
+  /// False also where a search has failed already, and as long as no neighbour has moved.
+  bool MayTry(Index vertex, Motion motion) const
   {
-    const bool mayTry = motion == LIFTED
-                          ? this->Constraints.freedom[vertex] == DisplacementConstraints::IN_PLANE
-                          : !this->IsFixed(vertex) && !this->IsExhausted[vertex];
-    if (!mayTry || this->AttemptsLeft <= 0)
+    const double share = motion == LIFTED ? 1 : EffortAlongSurface;
+    if (this->Guard.GetEffort() - this->EffortBefore > share * this->MostEffort)
     {
       return false;
+    }
+    return motion == LIFTED ? this->Constraints.freedom[vertex] == DisplacementConstraints::IN_PLANE
+                            : !this->IsFixed(vertex) && !this->IsExhausted[vertex];
+  }
+
+  /// Moves the vertex to where the least t around it is greatest, if that pays.
+  void Improve(Index vertex, double goal, Motion motion)
+  {
+    if (!this->MayTry(vertex, motion))
+    {
+      return;
     }
     this->Star.SetVertex(vertex);
     const Vector3 here = this->Guard.GetAccepted().row(vertex);
     const StarSearch::Place start{ here, this->Star.Measure(here) };
-    this->IsExhausted[vertex] =
-      !this->MoveTowards(vertex, start, this->FindBest(vertex, start, goal, motion), goal);
+    const Vector3 best = this->FindBest(vertex, start, goal, motion);
+    this->IsExhausted[vertex] = !this->MoveTowards(vertex, start, best, goal);
     if (!this->IsExhausted[vertex])
     {
       for (const Index j : this->Topology.oneRings[vertex])
@@ -173,7 +202,6 @@ private:
         this->IsExhausted[j] = false;
       }
     }
-    return !this->IsExhausted[vertex];
   }
 
   Vector3 FindBest(Index vertex, const StarSearch::Place& start, double goal, Motion motion)
@@ -216,7 +244,7 @@ private:
     const bool isEnough = after.minimum >= goal
                             ? gain > 0
                             : gain > SmallestGain + SmallestRelativeGain * before.minimum;
-    return isEnough && before.sum - after.sum <= this->LossLeft && this->AttemptsLeft > 0;
+    return isEnough && before.sum - after.sum <= this->LossLeft;
   }
 
   DeviationGuard& Guard;
@@ -225,9 +253,10 @@ private:
   const DisplacementConstraints& Constraints;
   const PlaceVertex& Place;
   StarSearch Star;
-  double LossLeft;     ///< of the sum of all t
-  double AttemptsLeft; ///< of moves that the guard judges
-  Mask IsExhausted;    ///< no position helps the vertex, as long as its neighbours stay
+  double LossLeft;                 ///< of the sum of all t
+  const std::int64_t EffortBefore; ///< of proofs
+  const std::int64_t MostEffort;
+  Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
 };
 }
 
@@ -236,10 +265,8 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   const PlaceVertex& place, ProgressMonitor& monitor)
 {
   Search search(guard, triangles, topology, constraints, place);
-  double goal = FirstGoal;
-  while (goal < 1 && search.Raise(goal, monitor))
+  for (double goal = FirstGoal; goal < 1 && search.Raise(goal, monitor); goal += GoalStep)
   {
-    goal += GoalStep;
   }
 }
 }
