@@ -13,19 +13,26 @@ namespace lmo
 {
 namespace
 {
-constexpr double FirstGoal = 0.45; ///< of t
-constexpr double GoalStep = 0.01;  ///< to the next one, as long as all triangles reach the goal
+constexpr double FirstGoal = 0.45; ///< of t, for all triangles
+constexpr double GoalStep = 0.02;  ///< above the least t, as long as that rises
 constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
 constexpr int MostSweeps = 10;     ///< for one goal
-constexpr double Stalling = 0.95;  ///< of what is missing to the goal, left by a sweep that ends it
 constexpr int Directions = 8;
-constexpr double SmallestGain = 1e-3;         ///< in t, for which a move is worth it
-constexpr double SmallestRelativeGain = 0.01; ///< the same, in terms of t
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr std::int64_t RelativeEffort = 2;    ///< of proofs, in terms of those until then
 constexpr std::int64_t EnoughEffort = 20000;  ///< where those were few
 constexpr double EffortAlongSurface = 0.75;   ///< share, before vertices are lifted
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
+
+/// What is worth the effort.
+struct Threshold
+{
+  double gain;         ///< in t, by a move
+  double relativeGain; ///< the same, in terms of t
+  double stalling;     ///< share of what is missing to the goal that a last sweep leaves
+};
+constexpr Threshold OfMany = { 1e-3, 0.01, 0.95 };
+constexpr Threshold OfWorst = { 2e-4, 0, 0.995 };
 
 Index CountCells(const Triangles& triangles, const MeshTopology& topology)
 {
@@ -52,14 +59,14 @@ public:
   }
 
   /// Raises the triangles with t below the goal, the worst first.
-  /// \return whether all of them that can move have reached it
-  bool Raise(double goal, ProgressMonitor& monitor)
+  void Raise(double goal, const Threshold& worth, ProgressMonitor& monitor)
   {
+    this->Worth = worth;
     double before = std::numeric_limits<double>::infinity();
     for (int sweep = 0; sweep < MostSweeps; ++sweep)
     {
       const double missing = this->MissingTo(goal);
-      if (!(missing < Stalling * before))
+      if (!(missing < worth.stalling * before))
       {
         break;
       }
@@ -70,7 +77,13 @@ public:
     {
       this->Sweep(goal, LIFTED, monitor);
     }
-    return this->WorstFirst(goal).empty();
+  }
+
+  /// t of the worst triangle that can move.
+  double GetLeast() const
+  {
+    const std::vector<Index> worst = this->WorstFirst(1);
+    return worst.empty() ? 1 : this->Guard.GetAcceptedQuality()[worst.front()];
   }
 
 private:
@@ -241,9 +254,8 @@ private:
   bool IsWorthIt(const StarShape& before, const StarShape& after, double goal) const
   {
     const double gain = after.minimum - before.minimum;
-    const bool isEnough = after.minimum >= goal
-                            ? gain > 0
-                            : gain > SmallestGain + SmallestRelativeGain * before.minimum;
+    const double least = this->Worth.gain + this->Worth.relativeGain * before.minimum;
+    const bool isEnough = gain > (after.minimum >= goal ? 0 : least);
     return isEnough && before.sum - after.sum <= this->LossLeft;
   }
 
@@ -253,6 +265,7 @@ private:
   const DisplacementConstraints& Constraints;
   const PlaceVertex& Place;
   StarSearch Star;
+  Threshold Worth = OfMany;
   double LossLeft;                 ///< of the sum of all t
   const std::int64_t EffortBefore; ///< of proofs
   const std::int64_t MostEffort;
@@ -265,8 +278,12 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   const PlaceVertex& place, ProgressMonitor& monitor)
 {
   Search search(guard, triangles, topology, constraints, place);
-  for (double goal = FirstGoal; goal < 1 && search.Raise(goal, monitor); goal += GoalStep)
+  search.Raise(FirstGoal, OfMany, monitor);
+  double before = 0;
+  for (double least = search.GetLeast(); before < least && least < 1; least = search.GetLeast())
   {
+    before = least;
+    search.Raise(least + GoalStep, OfWorst, monitor);
   }
 }
 }
