@@ -117,6 +117,26 @@ StarSearch::Place StarSearch::FindBest(const Place& start, const Motion& motion,
   return best;
 }
 
+std::vector<StarSearch::Place> StarSearch::FindBetter(
+  const Place& start, const Motion& motion, double goal) const
+{
+  std::vector<Place> places;
+  for (double step = LongestStep; step > ShortestStep; step /= 2)
+  {
+    for (const Vector3& direction : motion.directions)
+    {
+      Place place = start;
+      if (this->Try(start.position + step * this->Size * direction, motion, goal, place))
+      {
+        places.push_back(place);
+      }
+    }
+  }
+  std::stable_sort(places.begin(), places.end(),
+    [goal](const Place& a, const Place& b) { return a.shape.IsBetter(b.shape, goal); });
+  return places;
+}
+
 StarSearch::Place StarSearch::Lift(
   const Place& start, const Vector3& normal, const Motion& motion, double goal) const
 {

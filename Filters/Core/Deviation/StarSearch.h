@@ -76,6 +76,9 @@ public:
   /// \param goal t above which the minimum does not count
   Place FindBest(const Place& start, const Motion& motion, double goal) const;
 
+  /// All better places among those at some distances in the directions, the best first.
+  std::vector<Place> FindBetter(const Place& start, const Motion& motion, double goal) const;
+
   /// The least height above or below a place where the minimum reaches the goal, or else the best
   /// one: three triangles around a vertex in their plane have t = 0.46 at most.
   /// \param normal unit vector

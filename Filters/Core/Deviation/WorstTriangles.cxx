@@ -21,7 +21,6 @@ constexpr int Directions = 8;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr std::int64_t RelativeEffort = 2;    ///< of proofs, in terms of those until then
 constexpr std::int64_t EnoughEffort = 20000;  ///< where those were few
-constexpr double EffortAlongSurface = 0.75;   ///< share, before vertices are lifted
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 
 /// What is worth the effort.
@@ -30,9 +29,11 @@ struct Threshold
   double gain;         ///< in t, by a move
   double relativeGain; ///< the same, in terms of t
   double stalling;     ///< share of what is missing to the goal that a last sweep leaves
+  double effort;       ///< share of all effort at which to stop
+  std::size_t others;  ///< places for which the guard is asked where it refuses the best one
 };
-constexpr Threshold OfMany = { 1e-3, 0.01, 0.95 };
-constexpr Threshold OfWorst = { 2e-4, 0, 0.995 };
+constexpr Threshold OfMany = { 1e-3, 0.01, 0.95, 0.75, 0 };
+constexpr Threshold OfWorst = { 2e-4, 0, 0.995, 1, 50 };
 
 Index CountCells(const Triangles& triangles, const MeshTopology& topology)
 {
@@ -53,7 +54,7 @@ public:
     , Star(guard.GetAccepted(), triangles, topology)
     , LossLeft(LargestLoss * CountCells(triangles, topology))
     , EffortBefore(guard.GetEffort())
-    , MostEffort(EnoughEffort + RelativeEffort * guard.GetEffort())
+    , MostEffort(static_cast<double>(EnoughEffort + RelativeEffort * guard.GetEffort()))
     , IsExhausted(topology.vertices, false)
   {
   }
@@ -62,6 +63,7 @@ public:
   void Raise(double goal, const Threshold& worth, ProgressMonitor& monitor)
   {
     this->Worth = worth;
+    std::fill(this->IsExhausted.begin(), this->IsExhausted.end(), false);
     double before = std::numeric_limits<double>::infinity();
     for (int sweep = 0; sweep < MostSweeps; ++sweep)
     {
@@ -149,13 +151,14 @@ private:
   }
 
   /// Unit directions in which the vertex may move.
-  std::vector<Vector3> DirectionsOf(Index vertex, const Vector3& normal) const
+  std::vector<Vector3> DirectionsOf(Index vertex) const
   {
     if (this->Constraints.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
     {
       const Vector3 axis = this->Constraints.axes.row(vertex);
       return { axis, -axis };
     }
+    const Vector3 normal = this->NormalAt(vertex);
     if (normal.isZero(0))
     {
       return {};
@@ -187,8 +190,8 @@ private:
   /// False also where a search has failed already, and as long as no neighbour has moved.
   bool MayTry(Index vertex, Motion motion) const
   {
-    const double share = motion == LIFTED ? 1 : EffortAlongSurface;
-    if (this->Guard.GetEffort() - this->EffortBefore > share * this->MostEffort)
+    const auto effort = static_cast<double>(this->Guard.GetEffort() - this->EffortBefore);
+    if (effort > this->Worth.effort * this->MostEffort)
     {
       return false;
     }
@@ -206,8 +209,14 @@ private:
     this->Star.SetVertex(vertex);
     const Vector3 here = this->Guard.GetAccepted().row(vertex);
     const StarSearch::Place start{ here, this->Star.Measure(here) };
-    const Vector3 best = this->FindBest(vertex, start, goal, motion);
-    this->IsExhausted[vertex] = !this->MoveTowards(vertex, start, best, goal);
+    const StarSearch::Motion freedom = this->MotionOf(vertex);
+    StarSearch::Place best = this->Star.FindBest(start, freedom, goal);
+    if (motion == LIFTED)
+    {
+      best = this->Star.Lift(best, this->NormalAt(vertex), freedom, goal);
+    }
+    this->IsExhausted[vertex] = !this->MoveTowards(vertex, start, best.position, goal) &&
+                                !this->MoveAnywhere(vertex, start, freedom, goal);
     if (!this->IsExhausted[vertex])
     {
       for (const Index j : this->Topology.oneRings[vertex])
@@ -217,18 +226,11 @@ private:
     }
   }
 
-  Vector3 FindBest(Index vertex, const StarSearch::Place& start, double goal, Motion motion)
+  StarSearch::Motion MotionOf(Index vertex)
   {
-    const Vector3 normal = this->NormalAt(vertex);
-    const StarSearch::Motion freedom{ this->DirectionsOf(vertex, normal),
-      [&](const Vector3& x) { return this->Place(vertex, x); },
-      [&](const Vector3& x) { return this->Guard.IsValid(vertex, x); } };
-    StarSearch::Place best = this->Star.FindBest(start, freedom, goal);
-    if (motion == LIFTED)
-    {
-      best = this->Star.Lift(best, normal, freedom, goal);
-    }
-    return best.position;
+    return { this->DirectionsOf(vertex),
+      [this, vertex](const Vector3& x) { return this->Place(vertex, x); },
+      [this, vertex](const Vector3& x) { return this->Guard.IsValid(vertex, x); } };
   }
 
   /// Moves the vertex as far towards a position as the guard allows, in three attempts.
@@ -240,15 +242,38 @@ private:
       const Vector3 part =
         share == 1 ? position
                    : this->Place(vertex, start.position + share * (position - start.position));
-      const StarShape shape = this->Star.Measure(part);
-      if (this->IsWorthIt(start.shape, shape, goal) &&
-          this->TryMove(vertex, part, start.shape.minimum))
+      if (this->MoveTo(vertex, start, { part, this->Star.Measure(part) }, goal))
       {
-        this->LossLeft += shape.sum - start.shape.sum;
         return true;
       }
     }
     return false;
+  }
+
+  /// Moves the vertex to the best one of many places that the guard accepts.
+  bool MoveAnywhere(
+    Index vertex, const StarSearch::Place& start, const StarSearch::Motion& freedom, double goal)
+  {
+    if (this->Worth.others == 0)
+    {
+      return false;
+    }
+    std::vector<StarSearch::Place> places = this->Star.FindBetter(start, freedom, goal);
+    places.resize(std::min(places.size(), this->Worth.others));
+    return std::any_of(places.begin(), places.end(),
+      [&](const StarSearch::Place& to) { return this->MoveTo(vertex, start, to, goal); });
+  }
+
+  bool MoveTo(
+    Index vertex, const StarSearch::Place& start, const StarSearch::Place& to, double goal)
+  {
+    if (!this->IsWorthIt(start.shape, to.shape, goal) ||
+        !this->TryMove(vertex, to.position, start.shape.minimum))
+    {
+      return false;
+    }
+    this->LossLeft += to.shape.sum - start.shape.sum;
+    return true;
   }
 
   bool IsWorthIt(const StarShape& before, const StarShape& after, double goal) const
@@ -268,7 +293,7 @@ private:
   Threshold Worth = OfMany;
   double LossLeft;                 ///< of the sum of all t
   const std::int64_t EffortBefore; ///< of proofs
-  const std::int64_t MostEffort;
+  const double MostEffort;
   Mask IsExhausted; ///< no position helps the vertex, as long as its neighbours stay
 };
 }
