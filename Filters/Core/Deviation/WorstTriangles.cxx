@@ -17,11 +17,12 @@ constexpr double FirstGoal = 0.45; ///< of t, for all triangles
 constexpr double GoalStep = 0.02;  ///< above the least t, as long as that rises
 constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
 constexpr int MostSweeps = 10;     ///< for one goal
-constexpr int Directions = 8;
+constexpr int Directions = 12;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr std::int64_t RelativeEffort = 2;    ///< of proofs, in terms of those until then
 constexpr std::int64_t EnoughEffort = 20000;  ///< where those were few
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
+constexpr std::size_t MostPlaces = 50;        ///< that it is asked for where it refuses the best
 
 /// What is worth the effort.
 struct Threshold
@@ -30,10 +31,9 @@ struct Threshold
   double relativeGain; ///< the same, in terms of t
   double stalling;     ///< share of what is missing to the goal that a last sweep leaves
   double effort;       ///< share of all effort at which to stop
-  std::size_t others;  ///< places for which the guard is asked where it refuses the best one
 };
-constexpr Threshold OfMany = { 1e-3, 0.01, 0.95, 0.75, 0 };
-constexpr Threshold OfWorst = { 2e-4, 0, 0.995, 1, 50 };
+constexpr Threshold OfMany = { 1e-3, 0.01, 0.95, 0.75 };
+constexpr Threshold OfWorst = { 2e-4, 0, 0.995, 1 };
 
 Index CountCells(const Triangles& triangles, const MeshTopology& topology)
 {
@@ -254,12 +254,8 @@ private:
   bool MoveAnywhere(
     Index vertex, const StarSearch::Place& start, const StarSearch::Motion& freedom, double goal)
   {
-    if (this->Worth.others == 0)
-    {
-      return false;
-    }
     std::vector<StarSearch::Place> places = this->Star.FindBetter(start, freedom, goal);
-    places.resize(std::min(places.size(), this->Worth.others));
+    places.resize(std::min(places.size(), MostPlaces));
     return std::any_of(places.begin(), places.end(),
       [&](const StarSearch::Place& to) { return this->MoveTo(vertex, start, to, goal); });
   }
