@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
+#include "CadFixtures.h"
 #include "Checks.h"
 #include "MeshMeasures.h"
 
 #include "Core/Deviation/DeviationGuard.h"
 #include "Core/Deviation/OverlayBound.h"
+#include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleBvh.h"
 #include "Core/Optimizer/Optimizer.h"
 
@@ -277,6 +279,52 @@ void CheckWorstTriangles(Checks& c)
     without + 0.03 - least, 0);
 }
 
+/// A sphere, one triangle of which is cut into three at its centre.
+TestMesh SphereWithCutTriangle()
+{
+  TestMesh mesh = Icosphere(3);
+  const auto size = static_cast<Index>(mesh.V.rows());
+  const Eigen::RowVector3i cut = mesh.T.row(0);
+  mesh.V.conservativeResize(size + 1, 3);
+  mesh.V.row(size) = (mesh.V.row(cut[0]) + mesh.V.row(cut[1]) + mesh.V.row(cut[2])) / 3;
+  mesh.T.row(0) << cut[0], cut[1], size;
+  return WithTriangle(WithTriangle(mesh, cut[1], cut[2], size), cut[2], cut[0], size);
+}
+
+void CheckLifting(Checks& c)
+{
+  const double most = 8 * std::pow(std::sin(Pi / 12), 2) * std::sin(Pi / 3); // angles 30, 120, 30
+  c.Error("three equal triangles in a plane have t = .46", most - 0.4641, 1e-4);
+  const TestMesh mesh = SphereWithCutTriangle();
+  c.Greater("three triangles around a vertex, which cannot reach .46 in their plane, are lifted",
+    Run(mesh, WithinDeviation(0.02)).result.comparison.after.minimum, most + 0.03);
+
+  OptimizerOptions options = WithinDeviation(0.02);
+  options.freeAxes = { 1, 1, 0 };
+  const TestMesh sphere = UvSphere(20, 50);
+  const Outcome outcome = Run(sphere, options);
+  c.Error("z does not change if x and y alone are free",
+    LargestMagnitude(outcome.result.positions.col(2) - sphere.V.col(2)), 0);
+  c.Greater("x and y do",
+    LargestMagnitude(outcome.result.positions.leftCols(2) - sphere.V.leftCols(2)), 1e-3);
+}
+
+/// Long triangles over a plate, of which hardly one may move, take no more than a certain effort.
+void CheckEffort(Checks& c)
+{
+  const TestMesh plate = PlateWithHoles(8, 6, 24, 0.9, 1);
+  const MeshTopology topology = BuildTopology(static_cast<Index>(plate.V.rows()), plate.T);
+  DisplacementConstraints constraints;
+  constraints.freedom.assign(plate.V.rows(), DisplacementConstraints::IN_PLANE);
+  ProgressMonitor monitor;
+  DeviationGuard guard(plate.V, plate.T, topology, 0.05, monitor);
+  ImproveWorstTriangles(
+    guard, plate.T, topology, constraints, [](Index, const Vector3& position) { return position; },
+    monitor);
+  c.Greater("the worst triangles of a plate are tried", double(guard.GetEffort()), 10000);
+  c.AtLeast("with some tens of thousands of proofs", 25000, double(guard.GetEffort()));
+}
+
 void CheckCancel(Checks& c)
 {
   /// Asks to stop after some questions.
@@ -317,6 +365,8 @@ int TestDeviation(int argc, char* argv[])
   groups.Run("Centring", CheckCentring);
   groups.Run("Curves", CheckCurves);
   groups.Run("WorstTriangles", CheckWorstTriangles);
+  groups.Run("Lifting", CheckLifting);
+  groups.Run("Effort", CheckEffort);
   groups.Run("Cancel", CheckCancel);
   return groups.Result();
 }

@@ -49,36 +49,42 @@ std::vector<Index> DeviationBounds::FindDependentOfFew(const std::vector<Index>&
 }
 
 std::vector<DeviationBounds::Failure> DeviationBounds::CheckCandidate(
-  std::vector<Index> list, ProgressMonitor& monitor)
+  std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
 {
   Split(list, monitor, [this](Index t) { return this->CarryToOriginal(t); });
-  return this->ToOriginal.Check(
-    list, this->Mesh.candidate, this->OriginalView(), this->OriginalTree, this->Distance, monitor);
+  return this->ToOriginal.Check(list, this->Mesh.candidate, this->OriginalView(),
+    this->OriginalTree, this->Distance, extent, monitor);
+}
+
+bool DeviationBounds::KeepUnmoved(Index t)
+{
+  const DeviationCertificates::Certificate& accepted = this->ToAccepted.Get(t);
+  if (std::any_of(accepted.used.begin(), accepted.used.end(),
+        [this](Index u) { return this->Mesh.IsMoved(u); }))
+  {
+    return false;
+  }
+  this->ToCandidate.Set(t, accepted);
+  return true;
 }
 
 std::vector<DeviationBounds::Failure> DeviationBounds::CheckOriginal(
-  std::vector<Index> list, bool carries, ProgressMonitor& monitor)
+  std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
 {
   this->Recertified.Add(list);
-  if (carries)
+  if (extent == DeviationCertificates::ALL_FAILURES)
   {
     Split(list, monitor, [this](Index t) { return this->CarryToCandidate(t); });
   }
-  std::vector<Failure> failures;
-  for (const Failure& failure : this->ToCandidate.Check(
-         list, this->Original, this->CandidateView(), this->Tree, this->Distance, monitor))
+  else
   {
-    const DeviationCertificates::Certificate& accepted = this->ToAccepted.Get(failure.triangle);
-    if (std::any_of(accepted.used.begin(), accepted.used.end(),
-          [this](Index t) { return this->Mesh.IsMoved(t); }))
-    {
-      failures.push_back(failure);
-    }
-    else
-    {
-      this->ToCandidate.Set(failure.triangle, accepted);
-    }
+    Split(list, monitor, [this](Index t) { return this->KeepUnmoved(t); });
   }
+  std::vector<Failure> failures = this->ToCandidate.Check(
+    list, this->Original, this->CandidateView(), this->Tree, this->Distance, extent, monitor);
+  failures.erase(std::remove_if(failures.begin(), failures.end(),
+                   [this](const Failure& failure) { return this->KeepUnmoved(failure.triangle); }),
+    failures.end());
   return failures;
 }
 

@@ -15,6 +15,7 @@ class DeviationBounds
 {
 public:
   using Failure = DeviationCertificates::Failure;
+  using Extent = DeviationCertificates::Extent;
 
   /// Keeps references to the arguments.
   /// \param original positions
@@ -38,13 +39,14 @@ public:
   std::vector<Index> FindDependentOfFew(const std::vector<Index>& triangles);
 
   /// The triangles of the candidate that are not close to the original surface.
-  std::vector<Failure> CheckCandidate(std::vector<Index> list, ProgressMonitor& monitor);
+  std::vector<Failure> CheckCandidate(
+    std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
 
   /// The original triangles that are not close to the candidate, while displacements may be the
-  /// reason.
-  /// \param carries whether accepted certificates may be carried over: their bounds grow
+  /// reason. With ALL_FAILURES, accepted certificates are carried over where they leave enough of
+  /// the distance; single displacements would add up in them.
   std::vector<Failure> CheckOriginal(
-    std::vector<Index> list, bool carries, ProgressMonitor& monitor);
+    std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
 
   /// The original triangle over the centre of a triangle of the candidate that was checked.
   Index GetCentre(Index t) const { return this->ToOriginal.Get(t).seed; }
@@ -57,6 +59,12 @@ public:
 
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const;
+
+  /// Of proofs so far, see DeviationCertificates.
+  std::int64_t GetEffort() const
+  {
+    return this->ToOriginal.GetEffort() + this->ToCandidate.GetEffort();
+  }
 
   /// Accepts these triangles of the candidate, before their positions are, and all certificates.
   void Accept(const std::vector<Index>& triangles);
@@ -77,6 +85,10 @@ private:
   {
     return { this->Mesh.candidate, this->Mesh.T, this->Neighbours };
   }
+
+  /// Keeps the accepted certificate of an original triangle, if it needs none that has moved.
+  /// \return whether it is kept
+  bool KeepUnmoved(Index t);
 
   /// Certifies an original triangle by its accepted certificate, if the displacements since then
   /// leave enough of the distance.

@@ -31,36 +31,52 @@ void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
   }
 }
 
-/// Proves what the overlay left open.
-void TestOpen(const std::vector<Index>& list, const Points& V, const SurfaceView& mesh,
-  const TriangleBvh& tree, double distance,
-  std::vector<DeviationCertificates::Certificate>& certificates, Mask& states,
-  std::vector<Index>& close, ProgressMonitor& monitor)
+/// Searches for closest points: more than the deepest subdivision needs, and what is spent where
+/// one of many proposals is judged.
+constexpr int EnoughSearches = 1 << 20;
+constexpr int FewSearches = 256;
+
+/// Proves triangles, each by an overlay or, if none exists, by subdivision.
+class Prover
 {
-  InterruptibleFor(static_cast<Index>(list.size()), monitor,
-    [&, overlay = OverlayBound()](Index k) mutable
+public:
+  Prover(const Points& V, const SurfaceView& mesh, double distance)
+    : V(V)
+    , Mesh(mesh)
+    , Distance(distance)
+  {
+  }
+
+  /// \param subdivision null if only the overlay is to be tried
+  /// \param close is set to a triangle of the mesh that is close to a failure, or to -1
+  OverlayBound::Verdict Prove(Index triangle, Subdivision* subdivision,
+    DeviationCertificates::Certificate& certificate, Index& close)
+  {
+    const TriangleCorners corners = CornersOf(this->V, this->Mesh.T, triangle);
+    const OverlayBound::Verdict verdict =
+      this->Overlay.Test(corners, this->Mesh, subdivision, certificate.seed, this->Distance);
+    Store(this->Overlay, verdict, certificate, close);
+    if (verdict != OverlayBound::UNCLEAR || !subdivision)
     {
-      if (states[k] != OverlayBound::UNCLEAR)
-      {
-        return;
-      }
-      DeviationCertificates::Certificate& certificate = certificates[list[k]];
-      const TriangleCorners corners = CornersOf(V, mesh.T, list[k]);
-      states[k] = overlay.Test(corners, mesh, &tree, certificate.seed, distance);
-      if (states[k] != OverlayBound::UNCLEAR)
-      {
-        Store(overlay, OverlayBound::Verdict(states[k]), certificate, close[k]);
-        return;
-      }
-      Nearness nearness = TestBySubdivision(corners, tree, distance, certificate.seed);
-      states[k] = nearness.isProven ? OverlayBound::WITHIN : OverlayBound::BEYOND;
-      close[k] = nearness.failure;
-      if (nearness.isProven)
-      {
-        certificate = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
-      }
-    });
-}
+      return verdict;
+    }
+    Nearness nearness = TestBySubdivision(corners, *subdivision, this->Distance, certificate.seed);
+    close = nearness.failure;
+    if (!nearness.isProven)
+    {
+      return OverlayBound::BEYOND;
+    }
+    certificate = { nearness.used[0], { -this->Distance, this->Distance },
+      std::move(nearness.used) };
+    return OverlayBound::WITHIN;
+  }
+
+private:
+  const Points& V;
+  const SurfaceView& Mesh;
+  const double Distance;
+  OverlayBound Overlay;
+};
 }
 
 DeviationCertificates::DeviationCertificates(Index triangles)
@@ -82,24 +98,74 @@ void DeviationCertificates::Assign(const DeviationCertificates& other)
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
   const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
+  double distance, Extent extent, ProgressMonitor& monitor)
+{
+  return extent == ALL_FAILURES ? this->FindAll(list, V, mesh, tree, distance, monitor)
+                                : this->FindFirst(list, V, mesh, tree, distance);
+}
+
+std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
+  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
+  double distance)
+{
+  Prover prover(V, mesh, distance);
+  this->Effort += static_cast<std::int64_t>(list.size());
+  std::vector<Index> open;
+  Index close = -1;
+  Index failed = -1;
+  for (const Index t : list)
+  {
+    const OverlayBound::Verdict verdict = prover.Prove(t, nullptr, this->Certificates[t], close);
+    if (verdict == OverlayBound::BEYOND)
+    {
+      return { { t, close } };
+    }
+    if (verdict == OverlayBound::UNCLEAR)
+    {
+      open.push_back(t);
+    }
+  }
+  if (!open.empty())
+  {
+    tree.Refit();
+  }
+  Subdivision subdivision{ tree, FewSearches };
+  const bool areProven = std::all_of(open.begin(), open.end(),
+    [&](Index t)
+    {
+      return prover.Prove(failed = t, &subdivision, this->Certificates[t], close) !=
+             OverlayBound::BEYOND;
+    });
+  this->Effort += FewSearches - std::max(subdivision.searchesLeft, 0);
+  return areProven ? std::vector<Failure>() : std::vector<Failure>{ { failed, close } };
+}
+
+std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
+  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
   double distance, ProgressMonitor& monitor)
 {
   const auto size = static_cast<Index>(list.size());
-  Mask states(size);
+  this->Effort += size;
+  Mask states(size, OverlayBound::UNCLEAR);
   std::vector<Index> close(size, -1);
-  InterruptibleFor(size, monitor,
-    [&, overlay = OverlayBound()](Index k) mutable
-    {
-      Certificate& certificate = this->Certificates[list[k]];
-      const OverlayBound::Verdict verdict =
-        overlay.Test(CornersOf(V, mesh.T, list[k]), mesh, nullptr, certificate.seed, distance);
-      states[k] = verdict;
-      Store(overlay, verdict, certificate, close[k]);
-    });
+  const auto proveOpen = [&](const TriangleBvh* closest)
+  {
+    InterruptibleFor(size, monitor,
+      [&, prover = Prover(V, mesh, distance)](Index k) mutable
+      {
+        if (states[k] == OverlayBound::UNCLEAR)
+        {
+          Subdivision subdivision{ tree, EnoughSearches };
+          states[k] = prover.Prove(
+            list[k], closest ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
+        }
+      });
+  };
+  proveOpen(nullptr);
   if (std::find(states.begin(), states.end(), OverlayBound::UNCLEAR) != states.end())
   {
     tree.Refit();
-    TestOpen(list, V, mesh, tree, distance, this->Certificates, states, close, monitor);
+    proveOpen(&tree);
   }
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)

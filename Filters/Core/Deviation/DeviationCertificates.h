@@ -31,6 +31,13 @@ public:
     std::vector<Index> used; ///< triangles of the second mesh that the certificate needs
   };
 
+  /// What a check looks for, and how hard.
+  enum Extent
+  {
+    ALL_FAILURES, ///< each triangle gets all that a proof may need
+    FIRST_FAILURE ///< it ends at one failure, and what takes long to prove is one, too
+  };
+
   /// Begins with equal positions.
   explicit DeviationCertificates(Index triangles);
 
@@ -39,7 +46,8 @@ public:
   /// \param tree of \a mesh; refitted if it is needed
   /// \throw Cancelled if the monitor says so; the certificates are of no use then.
   std::vector<Failure> Check(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+    const SurfaceView& mesh, TriangleBvh& tree, double distance, Extent extent,
+    ProgressMonitor& monitor);
 
   const Certificate& Get(Index triangle) const { return this->Certificates[triangle]; }
   void Set(Index triangle, Certificate certificate)
@@ -52,6 +60,10 @@ public:
 
   Index Size() const { return static_cast<Index>(this->Certificates.size()); }
 
+  /// Number of proofs that Check() has tried, and of searches for closest points where it looked
+  /// for the FIRST_FAILURE: about proportional to its time.
+  std::int64_t GetEffort() const { return this->Effort; }
+
   /// The triangles whose certificates need one of the marked ones.
   std::vector<Index> FindDependent(const Mask& isMarked) const;
 
@@ -59,7 +71,13 @@ public:
   double GetBound() const;
 
 private:
+  std::vector<Failure> FindAll(const std::vector<Index>& list, const Points& V,
+    const SurfaceView& mesh, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+  std::vector<Failure> FindFirst(const std::vector<Index>& list, const Points& V,
+    const SurfaceView& mesh, TriangleBvh& tree, double distance);
+
   std::vector<Certificate> Certificates;
+  std::int64_t Effort = 0;
 };
 
 /// For each triangle of a second mesh, the triangles whose certificates need it. A certificate that

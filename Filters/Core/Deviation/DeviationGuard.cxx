@@ -83,16 +83,22 @@ std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
 }
 
 std::vector<Index> DeviationGuard::FindAstray(
-  const std::vector<Index>& list, ProgressMonitor& monitor)
+  const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor)
 {
   std::vector<Index> astray;
-  for (const DeviationBounds::Failure& failure : this->Bounds.CheckCandidate(list, monitor))
+  for (const DeviationBounds::Failure& failure : this->Bounds.CheckCandidate(list, extent, monitor))
   {
     astray.push_back(failure.triangle);
   }
   std::copy_if(list.begin(), list.end(), std::back_inserter(astray),
     [this](Index t) { return this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)); });
   return astray;
+}
+
+bool DeviationGuard::IsSpoilt(Index t, double leastQuality) const
+{
+  return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsTurnedOver(t) ||
+         this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
 }
 
 std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
@@ -108,12 +114,8 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   this->OpenOriginal.clear();
 
   std::vector<Failure> failures;
-  std::vector<Index> bad = Split(changed, monitor,
-    [&](Index t)
-    {
-      return this->Shapes.IsBad(t, leastQuality) || this->Shapes.IsTurnedOver(t) ||
-             this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
-    });
+  std::vector<Index> bad =
+    Split(changed, monitor, [&](Index t) { return this->IsSpoilt(t, leastQuality); });
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
   if (!isDecided())
@@ -122,7 +124,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   }
   if (!isDecided())
   {
-    const std::vector<Index> astray = this->FindAstray(changed, monitor);
+    const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
     bad.insert(bad.end(), astray.begin(), astray.end());
   }
   // What has not moved is accepted already; its neighbours are to blame for a fold between them.
@@ -133,15 +135,25 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   }
   if (!isDecided())
   {
-    // Single displacements would add up in certificates that are carried over.
-    const bool carries = extent == ALL_FAILURES;
-    for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, carries, monitor))
+    for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, extent, monitor))
     {
       this->OpenOriginal.push_back(triangle);
       failures.push_back({ close < 0 ? triangle : close, this->Bounds.GetUsed(triangle) });
     }
   }
   return failures;
+}
+
+bool DeviationGuard::IsValid(Index vertex, const Vector3& position)
+{
+  const std::vector<Index> changed = this->TrianglesAt({ vertex });
+  this->Propose(vertex, position);
+  this->Shapes.Update(changed);
+  const bool isValid =
+    std::none_of(changed.begin(), changed.end(), [this](Index t) { return this->IsSpoilt(t, 0); });
+  this->Propose(vertex, this->Mesh.accepted.row(vertex));
+  this->Shapes.RollBack(changed);
+  return isValid;
 }
 
 void DeviationGuard::Accept()

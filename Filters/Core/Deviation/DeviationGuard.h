@@ -27,12 +27,11 @@ public:
     std::vector<Index> others;
   };
 
-  /// What Judge() looks for.
-  enum Extent
-  {
-    ALL_FAILURES, ///< of many vertices
-    FIRST_FAILURE ///< of few vertices, the cheapest tests first
-  };
+  /// What Judge() looks for: ALL_FAILURES of many vertices, or the FIRST_FAILURE of few vertices,
+  /// with the cheapest tests first.
+  using Extent = DeviationCertificates::Extent;
+  static constexpr Extent ALL_FAILURES = DeviationCertificates::ALL_FAILURES;
+  static constexpr Extent FIRST_FAILURE = DeviationCertificates::FIRST_FAILURE;
 
   /// Keeps references to the arguments.
   /// \param distance > 0
@@ -57,11 +56,18 @@ public:
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const { return this->Bounds.GetBound(); }
 
+  /// Number of proofs of distances so far: about proportional to the time spent on them.
+  std::int64_t GetEffort() const { return this->Bounds.GetEffort(); }
+
   /// Proposes a position; the vertex has to be named in the next Judge().
   void Propose(Index vertex, const Vector3& position)
   {
     this->Mesh.candidate.row(vertex) = position;
   }
+
+  /// The cheap part of Judge() for one vertex between two transactions: whether none of its
+  /// triangles turns over, folds or is inverted. Not more than a hint.
+  bool IsValid(Index vertex, const Vector3& position);
 
   /// Judges all that has been proposed since the last Accept() or RollBack().
   /// \param vertices for which a position has been proposed since the last call
@@ -87,12 +93,16 @@ private:
   /// Original triangles that have to be judged again, since these triangles have changed.
   std::vector<Index> FindDependent(const std::vector<Index>& triangles, Extent extent);
 
+  /// True if the triangle of the candidate is no valid one.
+  bool IsSpoilt(Index t, double leastQuality) const;
+
   /// Triangles that have not moved, but are inverted since those around them have.
   std::vector<Failure> FindInvertedBeside(
     const std::vector<Index>& vertices, ProgressMonitor& monitor);
 
   /// Triangles that are far from the original surface or turned against it.
-  std::vector<Index> FindAstray(const std::vector<Index>& list, ProgressMonitor& monitor);
+  std::vector<Index> FindAstray(
+    const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor);
 
   void EndTransaction();
 

@@ -175,7 +175,7 @@ Index OverlayBound::FindCentre(const TriangleCorners& triangle, const SurfaceVie
   return this->SetFrame(triangle) ? this->FindCentre(mesh, seed) : -1;
 }
 
-OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, const TriangleBvh* tree,
+OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, Subdivision* subdivision,
   Index t, const ProjectedTriangle& part, double distance)
 {
   const Piece piece = Clip(part.corners);
@@ -192,7 +192,7 @@ OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, const Tri
       reach = std::max(reach, (closest - point).norm());
     }
   }
-  if (reach <= distance || reach > HopelessReach * distance || !tree)
+  if (reach <= distance || reach > HopelessReach * distance || !subdivision)
   {
     return reach <= distance ? WITHIN : reach > HopelessReach * distance ? BEYOND : UNCLEAR;
   }
@@ -201,7 +201,7 @@ OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, const Tri
     TriangleCorners corners;
     corners << this->PointAt(piece.corners[0]), this->PointAt(piece.corners[i - 1]),
       this->PointAt(piece.corners[i]);
-    const Nearness nearness = TestBySubdivision(corners, *tree, distance, t);
+    const Nearness nearness = TestBySubdivision(corners, *subdivision, distance, t);
     if (!nearness.isProven)
     {
       return BEYOND;
@@ -212,7 +212,7 @@ OverlayBound::Verdict OverlayBound::TestPiece(const SurfaceView& mesh, const Tri
 }
 
 OverlayBound::Verdict OverlayBound::Test(const TriangleCorners& triangle, const SurfaceView& mesh,
-  const TriangleBvh* tree, Index seed, double distance)
+  Subdivision* subdivision, Index seed, double distance)
 {
   this->Used.clear();
   this->Closer.clear();
@@ -231,7 +231,7 @@ OverlayBound::Verdict OverlayBound::Test(const TriangleCorners& triangle, const 
     {
       return UNCLEAR;
     }
-    const Verdict verdict = this->TestPiece(mesh, tree, t, part, distance);
+    const Verdict verdict = this->TestPiece(mesh, subdivision, t, part, distance);
     if (verdict != WITHIN)
     {
       this->Used.push_back(t);

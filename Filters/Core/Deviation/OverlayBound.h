@@ -3,7 +3,7 @@
 #ifndef lmo_OverlayBound_h
 #define lmo_OverlayBound_h
 
-#include "Core/Mesh/TriangleBvh.h"
+#include "Core/Deviation/SubdivisionBound.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Mesh/TriangleNeighbours.h"
 
@@ -63,10 +63,9 @@ public:
   };
 
   /// \param mesh its triangle \a seed should be close to the centre of \a triangle
-  /// \param tree of \a mesh, in which pieces find closer triangles than the one over them; if it is
-  /// null, such pieces are UNCLEAR
-  /// \param distance that is allowed
-  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, const TriangleBvh* tree,
+  /// \param subdivision in which pieces find closer triangles than the one over them; if it is
+  /// null, such pieces are UNCLEAR \param distance that is allowed
+  Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, Subdivision* subdivision,
     Index seed, double distance);
 
   /// The mesh's triangle over the centre of \a triangle, or -1.
@@ -99,7 +98,7 @@ private:
   Index FindCentre(const SurfaceView& mesh, Index seed) const;
 
   /// Judges the piece of the triangle under \a t.
-  Verdict TestPiece(const SurfaceView& mesh, const TriangleBvh* tree, Index t,
+  Verdict TestPiece(const SurfaceView& mesh, Subdivision* subdivision, Index t,
     const ProjectedTriangle& part, double distance);
 
   /// The point of the triangle with these barycentric coordinates.

@@ -20,16 +20,22 @@ struct Sample
 class Division
 {
 public:
-  Division(const TriangleBvh& tree, double distance, Nearness& result)
-    : Tree(tree)
+  Division(Subdivision& subdivision, double distance, Nearness& result)
+    : Tree(subdivision.tree)
+    , SearchesLeft(subdivision.searchesLeft)
     , Distance(distance)
     , Result(result)
   {
   }
 
-  /// False if no triangle is close enough to x.
+  /// False if no triangle is close enough to x, or if there are no searches left.
   bool Find(const Vector3& x, Index hint, Sample& sample)
   {
+    if (this->SearchesLeft-- <= 0)
+    {
+      this->Result.failure = hint;
+      return false;
+    }
     sample = { x, this->Tree.FindClosest(x, this->Distance, hint).triangle };
     if (sample.closest < 0)
     {
@@ -70,16 +76,17 @@ private:
   }
 
   const TriangleBvh& Tree;
+  int& SearchesLeft;
   const double Distance;
   Nearness& Result;
 };
 }
 
 Nearness TestBySubdivision(
-  const TriangleCorners& triangle, const TriangleBvh& tree, double distance, Index hint)
+  const TriangleCorners& triangle, Subdivision& subdivision, double distance, Index hint)
 {
   Nearness result;
-  Division division(tree, distance, result);
+  Division division(subdivision, distance, result);
   Sample a;
   Sample b;
   Sample c;

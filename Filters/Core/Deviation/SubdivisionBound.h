@@ -8,6 +8,13 @@
 
 namespace lmo
 {
+/// The search for closest points of a mesh, and how often proofs may use it.
+struct Subdivision
+{
+  const TriangleBvh& tree;
+  int searchesLeft; ///< what needs more is not proven
+};
+
 struct Nearness
 {
   bool isProven = false;
@@ -20,7 +27,7 @@ struct Nearness
 /// triangle of the mesh serves, the triangle is divided into four, up to six times.
 /// \param hint triangle of the mesh that is perhaps close, or -1
 Nearness TestBySubdivision(
-  const TriangleCorners& triangle, const TriangleBvh& tree, double distance, Index hint);
+  const TriangleCorners& triangle, Subdivision& subdivision, double distance, Index hint);
 }
 
 #endif

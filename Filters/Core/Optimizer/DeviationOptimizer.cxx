@@ -6,7 +6,7 @@
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/DeviationGuard.h"
 #include "Core/Deviation/SurfaceComparison.h"
-#include "Core/Deviation/VertexPatternSearch.h"
+#include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Optimizer/DeviationProblem.h"
 #include "Core/Solvers/LinearSolver.h"
