@@ -21,12 +21,13 @@ struct StarShape
     this->sum += t;
   }
 
-  /// Compares the minima first, up to the goal, then the sums.
+  /// Compares the minima first, up to the goal, then the sums; round-off does not decide.
   bool IsBetter(const StarShape& other, double goal) const
   {
     const double here = this->minimum < goal ? this->minimum : goal;
     const double there = other.minimum < goal ? other.minimum : goal;
-    return here > there || (here == there && this->sum > other.sum);
+    constexpr double tie = 1e-9;
+    return here > there + tie || (here > there - tie && this->sum > other.sum + tie);
   }
 };
 

@@ -19,7 +19,7 @@ constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent pl
 constexpr int MostSweeps = 10;     ///< for one goal
 constexpr int Directions = 12;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
-constexpr double MostLossForGain = 5;         ///< of the sum of t, for a gain of the least t
+constexpr double MostLossForGain = 25;        ///< of the sum of t, for a gain of the least t
 constexpr std::int64_t RelativeEffort = 2;    ///< of proofs, in terms of those until then
 constexpr std::int64_t EnoughEffort = 20000;  ///< where those were few
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
@@ -139,8 +139,10 @@ private:
         worst.push_back(t);
       }
     }
-    std::stable_sort(
-      worst.begin(), worst.end(), [&](Index s, Index t) { return quality[s] < quality[t]; });
+    // In single precision, so that round-off does not order equal triangles.
+    std::stable_sort(worst.begin(), worst.end(),
+      [&](Index s, Index t)
+      { return static_cast<float>(quality[s]) < static_cast<float>(quality[t]); });
     return worst;
   }
 
