@@ -360,7 +360,7 @@ public:
   /**
    * For OPTIMIZE_WITHIN_DEVIATION: after the passes move single points where that raises the radius
    * ratio of triangles that have less than 0.45, and then of the worst ones as long as the minimum
-   * rises. The mean may fall by 0.002. The effort is limited to about twice that of the passes.
+   * rises. The mean may fall by 0.002. The effort is limited to a few times that of the passes.
    * Default: on.
    */
   vtkSetMacro(ImproveWorstTriangles, vtkTypeBool);

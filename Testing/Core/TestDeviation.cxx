@@ -322,7 +322,7 @@ void CheckEffort(Checks& c)
     guard, plate.T, topology, constraints, [](Index, const Vector3& position) { return position; },
     monitor);
   c.Greater("the worst triangles of a plate are tried", double(guard.GetEffort()), 10000);
-  c.AtLeast("with some tens of thousands of proofs", 25000, double(guard.GetEffort()));
+  c.AtLeast("with some tens of thousands of proofs", 65000, double(guard.GetEffort()));
 }
 
 void CheckCancel(Checks& c)
