@@ -38,7 +38,7 @@ void VertexGradients::Invert(Index i)
   constexpr double smallestShare = 1e-6; // of the determinant that equal directions would have
   if (trace > 0 && matrix.determinant() > smallestShare * trace * trace * trace)
   {
-    this->Inverses.middleRows<3>(3 * i) = matrix.inverse();
+    this->Inverses.middleRows<3>(Eigen::Index(3) * i) = matrix.inverse();
     this->Defined[i] = 1;
   }
 }

@@ -31,7 +31,7 @@ public:
     const double value = field(i);
     this->VisitNeighbours(
       i, [&](Index j, const Vector3& d, double weight) { sum += weight * (field(j) - value) * d; });
-    return sum * this->Inverses.middleRows<3>(3 * i);
+    return sum * this->Inverses.middleRows<3>(Eigen::Index(3) * i);
   }
 
   /// The gradient scaled by a factor of at most 1, such that f_i + g . (x - x_i) / 2 stays within
