@@ -24,8 +24,8 @@ TestMesh Bar(int sides, double length, Cap cap);
 TestMesh ExtrudedProfile(const std::vector<std::pair<double, double>>& profile, double length);
 
 /// Closed plate of columns x rows squares of 3 x 3 with a round hole in each. The corners of
-/// squares inside the plate lie in its faces, all other points on sharp edges. \param radius of the
-/// holes, below 1
+/// squares inside the plate lie in its faces, all other points on sharp edges.
+/// \param radius of the holes, below 1
 TestMesh PlateWithHoles(int columns, int rows, int sides, double radius, double thickness);
 
 /// Cuts triangle t at the middle of its first edge, to which a triangle without area joins the

@@ -34,8 +34,9 @@ struct SampledSurface
   ImplicitSurface exact;
 };
 
-/// Torus with a tube of radius 0.4 around the unit circle. \param jitter up to which the points are
-/// moved along the surface, in edges; without it all quads are cut along the same diagonal
+/// Torus with a tube of radius 0.4 around the unit circle.
+/// \param jitter up to which the points are moved along the surface, in edges; without it all quads
+/// are cut along the same diagonal
 TestMesh Torus(int around, int along, double jitter);
 
 /// Torus with irregular points and diagonals.

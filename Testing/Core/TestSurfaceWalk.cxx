@@ -82,6 +82,8 @@ int TestSurfaceWalk(int, char*[])
   c.Error("the walk finds the closest point of a sphere", WalkError(Icosphere(3), 0.1), 1e-14);
   c.Error(
     "the walk leads across many triangles of a flat square", WalkError(Grid(24, 0.3), 5), 1e-14);
+  c.Error(
+    "the walk goes around vertices of many triangles", WalkError(UvSphere(150, 40), 0.005), 1e-14);
   c.Error("a vertex that did not move stays at its corner",
     std::abs(Walk(Grid(8, 0.2), 40, Grid(8, 0.2).V.row(40)).weights.maxCoeff() - 1), 0);
 

@@ -197,10 +197,12 @@ void CheckArray(Checks& c, const std::string& name, int index, int components, b
     { "'Missing'", "Choose" });
 }
 
-void CheckCellArray(Checks& c)
+/// \param useLabels switches on what reads the labels of cells
+void CheckCellArray(
+  Checks& c, const std::string& use, const std::function<void(Optimizer*)>& useLabels)
 {
-  CheckRefusal(c, "a cell array with wrong components",
-    [](Optimizer* filter, vtkPolyData* input)
+  CheckRefusal(c, "a cell array with wrong components for " + use,
+    [&](Optimizer* filter, vtkPolyData* input)
     {
       vtkNew<vtkDoubleArray> labels;
       labels->SetName("Labels");
@@ -208,7 +210,7 @@ void CheckCellArray(Checks& c)
       labels->SetNumberOfTuples(80);
       labels->Fill(0);
       input->GetCellData()->AddArray(labels);
-      filter->FeatureConstraintsOn();
+      useLabels(filter);
       filter->SetInputArrayToProcess(
         Optimizer::FEATURE_ARRAY, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Labels");
     },
@@ -242,7 +244,19 @@ void CheckArrays(Checks& c)
   CheckArray(
     c, "prescribed Laplacians", Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, 3, false, prescribed);
   CheckArray(c, "fixed points", Optimizer::FIXED_POINT_ARRAY, 1, false, nothing);
-  CheckCellArray(c);
+  CheckCellArray(c, "features", [](Optimizer* filter) { filter->FeatureConstraintsOn(); });
+  CheckCellArray(c, "lines that become smooth",
+    [](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::SMOOTH);
+      filter->FeatureSmoothingOn();
+    });
+  CheckCellArray(c, "volumes",
+    [](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::SMOOTH);
+      filter->PreserveVolumeOn();
+    });
   CheckNoArray(c, "position weights", weights);
   CheckNoArray(c, "anchors", anchors);
   CheckNoArray(c, "Laplacian weights", falloff);

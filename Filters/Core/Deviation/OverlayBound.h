@@ -64,7 +64,8 @@ public:
 
   /// \param mesh its triangle \a seed should be close to the centre of \a triangle
   /// \param subdivision in which pieces find closer triangles than the one over them; if it is
-  /// null, such pieces are UNCLEAR \param distance that is allowed
+  /// null, such pieces are UNCLEAR
+  /// \param distance that is allowed
   Verdict Test(const TriangleCorners& triangle, const SurfaceView& mesh, Subdivision* subdivision,
     Index seed, double distance);
 

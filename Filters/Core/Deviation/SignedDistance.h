@@ -20,7 +20,8 @@ public:
   SurfaceSides(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
   /// -1 behind the triangles, that is inside unless the surface is inside out; 1 before and on
-  /// them. \param closest triangle of the surface
+  /// them.
+  /// \param closest triangle of the surface
   double SideOf(const Vector3& x, Index closest) const;
 
 private:

@@ -73,7 +73,9 @@ public:
   /// The best place that a search in steps finds, which are halved where none leads to a better
   /// one. The mean ratio is quasi-concave in the position (Amenta, Bern, Eppstein 1999); t is
   /// nearly so for good triangles, and for bad ones FindBetter() may find what this search does
-  /// not. \param start where the search begins \param goal t above which the minimum does not count
+  /// not.
+  /// \param start where the search begins
+  /// \param goal t above which the minimum does not count
   Place FindBest(const Place& start, const Freedom& freedom, double goal) const;
 
   /// All better places among those at some distances in the directions, the best first.

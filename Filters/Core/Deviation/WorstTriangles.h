@@ -20,7 +20,8 @@ using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 /// StarSearch finds the greatest minimum, in the directions that \a constraints allows; up to t =
 /// 0.5 it is lifted off its tangent plane where nothing else helps. t_mean falls by 0.002 at most.
 /// The effort of proofs is limited to four times that which the guard has spent before, with 60,000
-/// more. \throw Cancelled if the monitor says so; the guard has accepted what was done by then.
+/// more.
+/// \throw Cancelled if the monitor says so; the guard has accepted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   const MeshTopology& topology, const DisplacementConstraints& constraints,
   const PlaceVertex& place, ProgressMonitor& monitor);

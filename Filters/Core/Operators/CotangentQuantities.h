@@ -27,8 +27,9 @@ public:
   std::shared_ptr<const CotangentWeights> GetWeights() const;
 
   /// Computes kappa, and if asked for the target of Eqn. 10, which share the weights. Robust
-  /// weights take long; the monitor is asked meanwhile. \param type Laplacian for which the caller
-  /// needs the weights \return the weights for the caller to keep; null for UNIFORM, which has none
+  /// weights take long; the monitor is asked meanwhile.
+  /// \param type Laplacian for which the caller needs the weights
+  /// \return the weights for the caller to keep; null for UNIFORM, which has none
   /// \throw Cancelled if the monitor says so.
   std::shared_ptr<const CotangentWeights> Prepare(
     LaplacianType type, bool hasDetailTarget, ProgressMonitor& monitor) const;

@@ -111,7 +111,8 @@ struct HeightField
 
 /// Sets the axes to the principal axes of the points in the tangent plane, the longer one first.
 /// Polynomials of coordinates that are divided by the result are well conditioned, also on long
-/// thin triangles. \return root mean square of the points along each axis
+/// thin triangles.
+/// \return root mean square of the points along each axis
 Eigen::Vector2d AlignAxes(const PatchPoints& points, HeightField& surface)
 {
   surface.axes.row(0) = surface.normal.unitOrthogonal();
@@ -126,6 +127,7 @@ Eigen::Vector2d AlignAxes(const PatchPoints& points, HeightField& surface)
 
 using Basis = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, LargestPatch,
   Monomials(LargestDegree)>;
+
 /// All monomials of u and v up to the degree, one per column: 1, u, v, u^2, u v, v^2, ...
 Basis EvaluateMonomials(const PatchPoints& points, int degree)
 {
@@ -172,7 +174,8 @@ bool FitPolynomial(const PatchPoints& points, int degree, HeightField& surface)
   return true;
 }
 
-/// \param points relative to the vertex; \param surface with its normal, gets the rest
+/// \param points relative to the vertex
+/// \param surface with its normal, gets the rest
 /// \return false if the points do not determine a polynomial of degree 2
 bool FitHeights(PatchPoints points, HeightField& surface)
 {
@@ -196,8 +199,8 @@ bool FitHeights(PatchPoints points, HeightField& surface)
 }
 
 /// Sets row i of the result from the fundamental forms I and II of the height field (do Carmo,
-/// Differential Geometry of Curves and Surfaces, 3.3), unless they are not finite. \param diagonal
-/// of the bounding box
+/// Differential Geometry of Curves and Surfaces, 3.3), unless they are not finite.
+/// \param diagonal of the bounding box
 void SetCurvatures(
   const HeightField& surface, double diagonal, Index i, PrincipalCurvatures& result)
 {

@@ -21,8 +21,9 @@ struct EnclosedRegions
 
 /// The regions of a surface. With labels of both sides, a region is what has a label in one of the
 /// LabelShells. With one label, it is the triangles of a label in a component if they are closed,
-/// and the rest of the component. Without labels, it is the component. \param component connected
-/// component of each vertex \param labels a row for each triangle, or none
+/// and the rest of the component. Without labels, it is the component.
+/// \param component connected component of each vertex
+/// \param labels a row for each triangle, or none
 EnclosedRegions FindEnclosedRegions(const Triangles& triangles, const std::vector<Index>& component,
   const TriangleLabels& labels = TriangleLabels());
 
