@@ -35,7 +35,7 @@ vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
 }
 
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
@@ -46,8 +46,9 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkLaplacianMeshOptimizer::M
 }
 
 void vtkLaplacianMeshOptimizer::Session::Execute(
-  vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces)
+  const Inputs& inputs, vtkPolyData* output, int pieces)
 {
+  vtkPolyData* input = inputs.surface;
   this->CheckPieces(pieces);
   lmo::OptimizerOptions options;
   this->Try([&] { options = this->ReadOptions(input); });
@@ -55,7 +56,8 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   monitor->Begin("Reading the mesh");
   this->SetInput(input);
   lmo::VertexArrays arrays;
-  this->Try([&] { arrays = this->ReadArrays(input, selection); });
+  this->Try([&] { arrays = this->ReadArrays(input, inputs.selection); });
+  arrays.reference = this->ReadReference(inputs.reference);
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
   this->Warn(options, result);
@@ -71,6 +73,7 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   lmo::ResultArrays results;
   SetMetrics(this->Filter, result);
   this->WriteMetrics(result, results, output->GetFieldData());
+  this->AddDataOfReference(inputs.reference, result, output);
   this->WritePoints(std::move(result), input, results, output);
   results.Warn(this->Filter);
 }
@@ -88,6 +91,8 @@ void vtkLaplacianMeshOptimizer::Session::Warn(
   std::vector<std::string> texts = lmo::WarnOfDamage(options, result.comparison, result.volumeLoss);
   texts.push_back(lmo::WarnOfFreedom(result.freedom));
   texts.push_back(lmo::WarnOfUnpreserved(result.unpreservedVolumes));
+  texts.push_back(lmo::WarnOfBeyond(result.deviation.beyond));
+  texts.push_back(lmo::WarnOfIntersections(result.intersections));
   for (const std::string& text : texts)
   {
     if (!text.empty())
@@ -110,15 +115,23 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
     output->SetPoints(lmo::MakePoints(result.positions, numbering, input->GetPoints()));
     result.positions.resize(0, 3); // memory for the arrays
   }
-  add("MeanCurvature", result.meanCurvatures);
-  add("PositionWeight", result.positionWeights);
-  add("LaplacianWeight", result.laplacianWeights);
-  add("Displacement", result.displacements);
+  if (this->Filter->DiagnosticArrays)
+  {
+    add("MeanCurvature", result.meanCurvatures);
+    add("PositionWeight", result.positionWeights);
+    add("LaplacianWeight", result.laplacianWeights);
+    add("Displacement", result.displacements);
+    lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, results, output);
+  }
   if (result.featureClass.rows() > 0)
   {
     add("FeatureClass", result.featureClass);
   }
-  lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, results, output);
+  if (result.intersections.isKnown)
+  {
+    lmo::AddCellFlags(
+      "SelfIntersecting", result.intersections.isIntersecting, numbering, results, output);
+  }
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, results, output);
   this->WriteCellNormals(output);
 }
@@ -198,13 +211,23 @@ void vtkLaplacianMeshOptimizer::SetSelectionData(vtkSelection* selection)
   this->SetInputData(1, selection);
 }
 
+void vtkLaplacianMeshOptimizer::SetReferenceConnection(vtkAlgorithmOutput* reference)
+{
+  this->SetInputConnection(2, reference);
+}
+
+void vtkLaplacianMeshOptimizer::SetReferenceData(vtkPolyData* reference)
+{
+  this->SetInputData(2, reference);
+}
+
 int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 0)
   {
     return this->Superclass::FillInputPortInformation(port, info);
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkSelection" : "vtkPolyData");
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -229,8 +252,8 @@ int vtkLaplacianMeshOptimizer::RequestInformation(
 int vtkLaplacianMeshOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkSelection* selection = vtkSelection::GetData(inputVector[1]);
+  const Session::Inputs inputs{ vtkPolyData::GetData(inputVector[0]),
+    vtkSelection::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]) };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* request = outputVector->GetInformationObject(0);
@@ -242,7 +265,7 @@ int vtkLaplacianMeshOptimizer::RequestData(
     this->State = this->MakeSession();
   }
   return lmo::RunFilter(
-    this, input, output, [&] { this->State->Execute(input, selection, output, pieces); });
+    this, inputs.surface, output, [&] { this->State->Execute(inputs, output, pieces); });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

@@ -71,6 +71,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkPolyData;
 class vtkSelection;
 
 class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer : public vtkPolyDataAlgorithm
@@ -290,6 +291,19 @@ public:
 
   ///@{
   /**
+   * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the input:
+   * the surface that the input was made from by remeshing, or by earlier runs, whose errors add up
+   * otherwise. Its triangles should face the same side as those of the input. What begins farther
+   * away than MaximumDeviation does not move farther away; a warning counts these triangles. With
+   * InterpolatePointData the output gets the point data and field data that the reference has and
+   * the input has not. Other modes do not use it. Without triangles it is an error.
+   */
+  void SetReferenceConnection(vtkAlgorithmOutput* reference);
+  void SetReferenceData(vtkPolyData* reference);
+  ///@}
+
+  ///@{
+  /**
    * SELECTED_POINTS_STAY (0): the selected points do not move. ONLY_SELECTED_POINTS_MOVE (1): all
    * others do not. Without a selection on port 1 this has no effect. Default: SELECTED_POINTS_STAY.
    */
@@ -331,8 +345,9 @@ public:
   ///@{
   /**
    * For OPTIMIZE_WITHIN_DEVIATION: the largest distance allowed between the surfaces before and
-   * after, every point of either to the other (Hausdorff), divided by the diagonal of the bounding
-   * box. Range: more than 0, up to 1; with DeviationIsAbsolute, more than 0. Default: 0.002.
+   * after, every point of either to the other (Hausdorff), divided by the diagonal of the input's
+   * bounding box; with a Reference, between that and the surface after. Range: more than 0, up to
+   * 1; with DeviationIsAbsolute, more than 0. Default: 0.002.
    */
   vtkSetMacro(MaximumDeviation, double);
   vtkGetMacro(MaximumDeviation, double);
@@ -517,6 +532,28 @@ public:
 
   ///@{
   /**
+   * Looks for pairs of triangles that meet elsewhere than in the points and the edge that they
+   * share, before and after, and warns if new ones appear: field data InputSelfIntersections and
+   * SelfIntersections, and the cell array SelfIntersecting. OPTIMIZE_WITHIN_DEVIATION does so
+   * always and prevents new ones. Default: off.
+   */
+  vtkSetMacro(CheckSelfIntersections, vtkTypeBool);
+  vtkGetMacro(CheckSelfIntersections, vtkTypeBool);
+  vtkBooleanMacro(CheckSelfIntersections, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Attach the arrays that only explain the result: MeanCurvature, PositionWeight, LaplacianWeight,
+   * Displacement and InputRadiusRatio. Default: on.
+   */
+  vtkSetMacro(DiagnosticArrays, vtkTypeBool);
+  vtkGetMacro(DiagnosticArrays, vtkTypeBool);
+  vtkBooleanMacro(DiagnosticArrays, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
    * triangles. Like all metrics below, these are valid after Update(). They are -1 or 0 when the
    * output is out of date, and those of the last block if the input is composite.
@@ -559,9 +596,9 @@ public:
 
   ///@{
   /**
-   * For OPTIMIZE_WITHIN_DEVIATION: guaranteed upper bound of the Hausdorff distance between input
-   * and output, as a length and divided by the diagonal of the bounding box. Zero in all other
-   * modes, like the two metrics that follow.
+   * For OPTIMIZE_WITHIN_DEVIATION: guaranteed upper bound of the Hausdorff distance between input,
+   * or Reference, and output, as a length and divided by the diagonal of the input's bounding box.
+   * Zero in all other modes, like the three metrics that follow.
    */
   vtkGetMacro(HausdorffBound, double);
   vtkGetMacro(RelativeHausdorffBound, double);
@@ -576,6 +613,23 @@ public:
    * Number of points that the last pass moved less than its equations asked for.
    */
   vtkGetMacro(RolledBackPoints, vtkIdType);
+
+  /**
+   * Number of triangles, or triangles of polygons, with a quality below 0.45 of which no corner may
+   * move: what only remeshing can improve.
+   */
+  vtkGetMacro(PinnedBadTriangles, vtkIdType);
+
+  ///@{
+  /**
+   * Number of pairs of triangles that meet elsewhere than in the points and the edge that they
+   * share, before and after; see CheckSelfIntersections. Pairs closer than round-off count. Pairs
+   * of triangles that both have a point of more than 100 triangles are not looked at. 0 where it
+   * was not looked for them.
+   */
+  vtkGetMacro(InputSelfIntersections, vtkIdType);
+  vtkGetMacro(SelfIntersections, vtkIdType);
+  ///@}
 
   /**
    * Executes the filter if it has executed before and its output is out of date. ParaView reads the
@@ -633,6 +687,8 @@ protected:
   vtkTypeBool ComputeNormals = 1;
   vtkTypeBool InterpolatePointData = 1;
   vtkTypeBool WeldCoincidentPoints = 1;
+  vtkTypeBool CheckSelfIntersections = 0;
+  vtkTypeBool DiagnosticArrays = 1;
 
   double MeanRadiusRatio = -1;
   double MinimumRadiusRatio = -1;
@@ -648,6 +704,9 @@ protected:
   double RelativeHausdorffBound = 0;
   int Passes = 0;
   vtkIdType RolledBackPoints = 0;
+  vtkIdType PinnedBadTriangles = 0;
+  vtkIdType InputSelfIntersections = 0;
+  vtkIdType SelfIntersections = 0;
 
 private:
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;

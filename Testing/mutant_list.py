@@ -32,7 +32,7 @@ MUTANTS = [
         ("LINEAR tells curved from flat where most are flat", "Operators/Weights.cxx",
          "return (curvatures.array() > statistics.minimum)",
          "return (curvatures.array() >= statistics.minimum)", "TestWeights-LinearWeights"),
-        ("Eqn. 13: equal curvatures share the upper rank", "Mesh/EmpiricalDistribution.cxx",
+        ("Eqn. 13: equal curvatures share the upper rank", "Base/EmpiricalDistribution.cxx",
          "shares[tie.vertex] = share(above)", "shares[tie.vertex] = share(first + 1)",
          "TestWeights-OtherWeights"),
         ("CDF does not tell curvatures apart that differ by round-off", "Operators/Weights.cxx",

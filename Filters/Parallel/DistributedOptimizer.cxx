@@ -65,6 +65,7 @@ void CheckOptions(const OptimizerOptions& options)
     { options.featureSmoothing, "FeatureSmoothing", "Switch it off" },
     { options.featureConstraints, "FeatureConstraints", "Switch them off" },
     { options.preserveVolume, "PreserveVolume", "Switch it off" },
+    { options.checkSelfIntersections, "CheckSelfIntersections", "Switch it off" },
   };
   for (const auto& [isChosen, name, remedy] : choices)
   {

@@ -8,7 +8,7 @@
 
 namespace lmo
 {
-/// The functions of Core/Mesh/EmpiricalDistribution.h for values >= 0 that are distributed over
+/// The functions of Core/Base/EmpiricalDistribution.h for values >= 0 that are distributed over
 /// processes; exact, and the same in every process. Collective.
 double DistributedQuantile(const Communicator& comm, const std::vector<double>& values, double q);
 Vector DistributedShares(const Communicator& comm, const Vector& values, const Mask& counts);

@@ -82,6 +82,16 @@ TriangleLabels MeshNumbering::ToTriangles(const TriangleLabels& cellLabels) cons
   return labels;
 }
 
+Mask MeshNumbering::AnyOfCells(const Mask& isMarked) const
+{
+  Mask isMarkedCell(this->NumberOfCells, false);
+  for (Index t = 0; t < this->NumberOfTriangles; ++t)
+  {
+    isMarkedCell[this->CellOf(t)] |= isMarked[t];
+  }
+  return isMarkedCell;
+}
+
 Vector MeshNumbering::LeastOfCells(const Vector& triangleValues, double none) const
 {
   if (this->Cells.cells.empty() && this->NumberOfTriangles == this->NumberOfCells)

@@ -76,6 +76,9 @@ public:
   /// Rows of triangles from rows of their cells.
   TriangleLabels ToTriangles(const TriangleLabels& cellLabels) const;
 
+  /// For each cell whether one of its triangles is marked.
+  Mask AnyOfCells(const Mask& isMarked) const;
+
   /// The least value of the triangles of each cell, \a none for cells without triangles.
   Vector LeastOfCells(const Vector& triangleValues, double none) const;
 

@@ -3,7 +3,10 @@
 #include "OptimizerSession.h"
 
 #include "FilterSupport.h"
+#include "PointDataInterpolation.h"
 
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -43,20 +46,33 @@ lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::Read(vtkPolyData* input)
   return lmo::ReadMesh(input);
 }
 
+vtkLaplacianMeshOptimizer::Session::Origin vtkLaplacianMeshOptimizer::Session::OriginOf(
+  vtkPolyData* data) const
+{
+  return { data, data->GetMTime(), this->Filter->WeldCoincidentPoints != 0 };
+}
+
 bool vtkLaplacianMeshOptimizer::Session::IsNew(vtkPolyData* input) const
 {
-  return !this->Optimizer || this->Input != input || this->InputTime != input->GetMTime() ||
-         this->IsWelded != (this->Filter->WeldCoincidentPoints != 0);
+  return !this->Optimizer || !(this->InputOrigin == this->OriginOf(input));
 }
 
 void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
   vtkPolyData* input, lmo::MeshNumbering numbering, std::unique_ptr<lmo::Optimizer> optimizer)
 {
-  this->Input = input;
-  this->InputTime = input->GetMTime();
-  this->IsWelded = this->Filter->WeldCoincidentPoints != 0;
+  this->InputOrigin = this->OriginOf(input);
   this->Numbering = std::move(numbering);
   this->Optimizer = std::move(optimizer);
+}
+
+lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(vtkPolyData* data) const
+{
+  lmo::SurfaceMesh mesh = Read(data);
+  if (this->Filter->WeldCoincidentPoints)
+  {
+    lmo::WeldCoincidentPoints(mesh);
+  }
+  return mesh;
 }
 
 void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
@@ -64,15 +80,54 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
   if (this->IsNew(input))
   {
     this->Optimizer.reset(); // its memory serves for the next one
-    lmo::SurfaceMesh mesh = Read(input);
-    if (this->Filter->WeldCoincidentPoints)
-    {
-      lmo::WeldCoincidentPoints(mesh);
-    }
+    lmo::SurfaceMesh mesh = this->ReadWelded(input);
     lmo::RenumberIfScattered(mesh);
     this->SetOptimizer(input, std::move(mesh.numbering),
       std::make_unique<lmo::Optimizer>(
         std::move(mesh.points), std::move(mesh.triangles), std::move(mesh.polygons)));
+  }
+}
+
+std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::ReadReference(
+  vtkPolyData* reference)
+{
+  if (!reference || this->Filter->Mode != OPTIMIZE_WITHIN_DEVIATION)
+  {
+    this->Reference.reset();
+    return nullptr;
+  }
+  if (!this->Reference || !(this->ReferenceOrigin == this->OriginOf(reference)))
+  {
+    this->Reference.reset();
+    try
+    {
+      lmo::SurfaceMesh mesh = this->ReadWelded(reference);
+      this->ReferenceNumbering = std::move(mesh.numbering);
+      this->Reference =
+        std::make_shared<lmo::MeshQuantities>(std::move(mesh.points), std::move(mesh.triangles));
+    }
+    catch (const lmo::InputError& error)
+    {
+      throw lmo::InputError("The Reference cannot be used. " + std::string(error.what()));
+    }
+    this->ReferenceOrigin = this->OriginOf(reference);
+  }
+  if (this->Reference->GetBox().isEmpty())
+  {
+    throw lmo::InputError("The Reference has no triangles. Connect a surface, or nothing.");
+  }
+  return this->Reference;
+}
+
+void vtkLaplacianMeshOptimizer::Session::AddDataOfReference(
+  vtkPolyData* reference, const lmo::OptimizerResult& result, vtkPolyData* output) const
+{
+  if (this->Reference && this->InterpolatesPointData())
+  {
+    lmo::ResultArrays::AddMissing(reference->GetFieldData(), output->GetFieldData());
+    const lmo::Points positions = this->Numbering.ToPoints(result.positions);
+    lmo::ResultArrays::AddMissing(
+      lmo::PointDataAt(reference, this->ReferenceNumbering, positions), output->GetPointData());
   }
 }
 

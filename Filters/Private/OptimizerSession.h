@@ -30,9 +30,15 @@ public:
   Session(const Session&) = delete;
   void operator=(const Session&) = delete;
 
-  /// \param selection may be null
+  struct Inputs
+  {
+    vtkPolyData* surface;
+    vtkSelection* selection; ///< may be null
+    vtkPolyData* reference;  ///< may be null
+  };
+
   /// \param pieces in which the whole surface comes
-  void Execute(vtkPolyData* input, vtkSelection* selection, vtkPolyData* output, int pieces);
+  void Execute(const Inputs& inputs, vtkPolyData* output, int pieces);
 
   /// Sets the metrics that the filter's Get methods return.
   static void SetMetrics(vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result);
@@ -57,6 +63,9 @@ protected:
   /// lmo::ReadMesh(), which this module does not export.
   static lmo::SurfaceMesh Read(vtkPolyData* input);
 
+  /// Read(), with points welded as the filter says.
+  lmo::SurfaceMesh ReadWelded(vtkPolyData* data) const;
+
   /// True if Optimizer is not that of the input as it is now.
   bool IsNew(vtkPolyData* input) const;
 
@@ -77,6 +86,17 @@ private:
   /// \param selection may be null
   lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
 
+  /// The surface to stay near, if the mode needs one.
+  /// \param reference may be null
+  /// \return null if there is none
+  /// \throw InputError if it has no triangles, and as lmo::ReadMesh() does.
+  std::shared_ptr<const lmo::MeshQuantities> ReadReference(vtkPolyData* reference);
+
+  /// Adds the point data and field data that the reference has and the output has not.
+  /// \param reference may be null
+  void AddDataOfReference(
+    vtkPolyData* reference, const lmo::OptimizerResult& result, vtkPolyData* output) const;
+
   /// Says what the user should know of a result: what could not move and what got worse.
   void Warn(const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const;
 
@@ -93,10 +113,27 @@ private:
   void WriteMetrics(
     const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const;
 
+  /// Which data a mesh was read from.
+  struct Origin
+  {
+    vtkPolyData* data = nullptr; ///< to be compared only
+    vtkMTimeType time = 0;
+    bool isWelded = false;
+
+    bool operator==(const Origin& other) const
+    {
+      return this->data == other.data && this->time == other.time &&
+             this->isWelded == other.isWelded;
+    }
+  };
+
+  Origin OriginOf(vtkPolyData* data) const;
+
   lmo::MeshNumbering Numbering;
-  vtkPolyData* Input = nullptr; ///< to be compared only
-  vtkMTimeType InputTime = 0;
-  bool IsWelded = false;
+  Origin InputOrigin;
+  std::shared_ptr<const lmo::MeshQuantities> Reference;
+  lmo::MeshNumbering ReferenceNumbering;
+  Origin ReferenceOrigin;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -89,6 +89,8 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("DetailWeight", filter.DetailWeight, positiveWeight, options.guide.detailWeight);
     row("PreserveVolume", filter.PreserveVolume, Switch{}, options.preserveVolume);
     row("Twicing", filter.Twicing, Switch{}, options.twicing);
+    row("CheckSelfIntersections", filter.CheckSelfIntersections, Switch{},
+      options.checkSelfIntersections);
     row("FeatureSmoothing", filter.FeatureSmoothing, Switch{}, options.featureSmoothing);
     row("FreeAxes", filter.FreeAxes[0], Switch{}, options.freeAxes[0]);
     row("FreeAxes", filter.FreeAxes[1], Switch{}, options.freeAxes[1]);
@@ -96,6 +98,7 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("ComputeNormals", filter.ComputeNormals, Switch{});
     row("InterpolatePointData", filter.InterpolatePointData, Switch{});
     row("WeldCoincidentPoints", filter.WeldCoincidentPoints, Switch{});
+    row("DiagnosticArrays", filter.DiagnosticArrays, Switch{});
   }
 
   /// Calls row() with the name of each metric, the filter's value and that of a result, and whether
@@ -123,6 +126,11 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("RelativeHausdorffBound", filter.RelativeHausdorffBound, deviation.relativeBound, isWithin);
     row("Passes", filter.Passes, deviation.passes, isWithin);
     row("RolledBackPoints", filter.RolledBackPoints, deviation.rolledBack, isWithin);
+    row("PinnedBadTriangles", filter.PinnedBadTriangles, deviation.pinnedBad, isWithin);
+    const lmo::IntersectionReport& intersections = result.intersections;
+    row("InputSelfIntersections", filter.InputSelfIntersections, intersections.before,
+      intersections.isKnown);
+    row("SelfIntersections", filter.SelfIntersections, intersections.after, intersections.isKnown);
   }
 };
 

@@ -6,6 +6,7 @@
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Mesh/SurfaceWalk.h"
+#include "Core/Mesh/TriangleBvh.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/VertexGradients.h"
 
@@ -96,22 +97,29 @@ Triangles TrianglesOfSides(vtkPolyData* input, const std::vector<Index>& firstPo
   return triangles;
 }
 
-/// Where the output points lie on the input.
-struct PlacesOnInput
+/// Where the output points lie on a surface.
+struct PlacesOnSurface
 {
-  Points V;            ///< the points of the input
+  Points V;            ///< the points of the surface
   Triangles triangles; ///< connected where there is no seam
   AdjacencyLists cornersAt;
   VertexGradients gradients;
   std::vector<SurfaceLocation> locations; ///< no triangle for points that did not move
 
-  PlacesOnInput(vtkPolyData* input, const std::vector<Index>& firstPoints, const Points& positions)
-    : V(PointsOf(input->GetPoints()))
-    , triangles(TrianglesOfSides(input, firstPoints))
+  PlacesOnSurface(vtkPolyData* surface, const std::vector<Index>& firstPoints)
+    : V(PointsOf(surface->GetPoints()))
+    , triangles(TrianglesOfSides(surface, firstPoints))
     , cornersAt(CornersAtVertices(static_cast<Index>(this->V.rows()), this->triangles))
     , gradients(this->V, this->triangles, this->cornersAt)
-    , locations(positions.rows())
   {
+  }
+  PlacesOnSurface(const PlacesOnSurface&) = delete;
+  void operator=(const PlacesOnSurface&) = delete;
+
+  /// Of the surface's own points, from where they were.
+  void Follow(const std::vector<Index>& firstPoints, const Points& positions)
+  {
+    this->locations.resize(positions.rows());
     ParallelFor(static_cast<Index>(positions.rows()),
       [&](Index i)
       {
@@ -122,8 +130,21 @@ struct PlacesOnInput
         }
       });
   }
-  PlacesOnInput(const PlacesOnInput&) = delete;
-  void operator=(const PlacesOnInput&) = delete;
+
+  /// Of any points.
+  void FindClosest(const Points& positions)
+  {
+    ProgressMonitor unwatched;
+    const TriangleBvh tree(this->V, this->triangles, unwatched);
+    this->locations.resize(positions.rows());
+    ParallelFor(static_cast<Index>(positions.rows()),
+      [&](Index i)
+      {
+        const Index closest = tree.FindClosest(positions.row(i)).triangle;
+        this->locations[i] = WalkToClosestPoint(this->V, this->triangles, this->cornersAt,
+          this->triangles(closest, 0), positions.row(i));
+      });
+  }
 
 private:
   static Points PointsOf(vtkPoints* points)
@@ -136,7 +157,7 @@ private:
 };
 
 /// The corner with the largest weight, the point itself where there is no triangle.
-vtkSmartPointer<vtkIdList> NearestPoints(const PlacesOnInput& places)
+vtkSmartPointer<vtkIdList> NearestPoints(const PlacesOnSurface& places)
 {
   const std::vector<SurfaceLocation>& locations = places.locations;
   auto nearest = vtkSmartPointer<vtkIdList>::New();
@@ -160,7 +181,7 @@ vtkSmartPointer<vtkIdList> NearestPoints(const PlacesOnInput& places)
 ///   sum_k w_k (f_k + g_k . (x - x_k) / 2).
 struct Interpolate
 {
-  const PlacesOnInput& places;
+  const PlacesOnSurface& places;
   bool isRounded;
 
   template <typename Array>
@@ -256,12 +277,17 @@ void Normalise(vtkDataArray* normals, const std::vector<SurfaceLocation>& locati
   }
 }
 
-/// The values of the input's array at the locations.
+/// The values of the surface's array at the locations.
 vtkSmartPointer<vtkAbstractArray> Transfer(
-  vtkAbstractArray* array, const PlacesOnInput& places, vtkIdList* nearest)
+  vtkAbstractArray* array, const PlacesOnSurface& places, vtkIdList* nearest)
 {
+  const auto size = static_cast<vtkIdType>(places.locations.size());
   auto result = vtk::TakeSmartPointer(array->NewInstance());
   result->DeepCopy(array);
+  if (result->GetNumberOfTuples() != size)
+  {
+    result->SetNumberOfTuples(size);
+  }
   if (!IsInterpolated(array))
   {
     array->GetTuples(nearest, result);
@@ -277,6 +303,30 @@ vtkSmartPointer<vtkAbstractArray> Transfer(
   }
   return result;
 }
+
+/// Adds the values of an array, which keeps its role.
+void AddArray(vtkPointData* from, int k, vtkAbstractArray* values, vtkPointData* to)
+{
+  const int attribute = from->IsArrayAnAttribute(k);
+  const int index = to->AddArray(values);
+  if (attribute >= 0)
+  {
+    to->SetActiveAttribute(index, attribute);
+  }
+}
+
+/// The values of the surface's k-th array at the locations, normals of unit length.
+vtkSmartPointer<vtkAbstractArray> TransferArray(
+  vtkPointData* data, int k, const PlacesOnSurface& places, vtkIdList* nearest)
+{
+  vtkAbstractArray* array = data->GetAbstractArray(k);
+  vtkSmartPointer<vtkAbstractArray> values = Transfer(array, places, nearest);
+  if (data->IsArrayAnAttribute(k) == vtkDataSetAttributes::NORMALS && IsInterpolated(array))
+  {
+    Normalise(vtkDataArray::FastDownCast(values), places.locations);
+  }
+  return values;
+}
 }
 
 vtkSmartPointer<vtkPointData> InterpolatePointData(
@@ -290,25 +340,37 @@ vtkSmartPointer<vtkPointData> InterpolatePointData(
     return result;
   }
   const std::vector<Index> firstPoints = FirstPointsOfSides(data, numbering);
-  const PlacesOnInput places(input, firstPoints, positions);
+  PlacesOnSurface places(input, firstPoints);
+  places.Follow(firstPoints, positions);
   const vtkSmartPointer<vtkIdList> nearest = NearestPoints(places);
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* array = data->GetAbstractArray(k);
-    const int attribute = data->IsArrayAnAttribute(k);
-    vtkSmartPointer<vtkAbstractArray> values = array;
-    if (!StaysWithPoint(data, array) && array->GetNumberOfTuples() == positions.rows())
+    const bool stays =
+      StaysWithPoint(data, array) || array->GetNumberOfTuples() != positions.rows();
+    AddArray(data, k, stays ? array : TransferArray(data, k, places, nearest).Get(), result);
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkPointData> PointDataAt(
+  vtkPolyData* surface, const MeshNumbering& numbering, const Points& positions)
+{
+  vtkPointData* data = surface->GetPointData();
+  auto result = vtkSmartPointer<vtkPointData>::New();
+  if (data->GetNumberOfArrays() == 0 || positions.rows() == 0)
+  {
+    return result;
+  }
+  PlacesOnSurface places(surface, FirstPointsOfSides(data, numbering));
+  places.FindClosest(positions);
+  const vtkSmartPointer<vtkIdList> nearest = NearestPoints(places);
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    if (!StaysWithPoint(data, array) && array->GetNumberOfTuples() == places.V.rows())
     {
-      values = Transfer(array, places, nearest);
-    }
-    if (attribute == vtkDataSetAttributes::NORMALS && values != array && IsInterpolated(array))
-    {
-      Normalise(vtkDataArray::FastDownCast(values), places.locations);
-    }
-    const int index = result->AddArray(values);
-    if (attribute >= 0)
-    {
-      result->SetActiveAttribute(index, attribute);
+      AddArray(data, k, TransferArray(data, k, places, nearest), result);
     }
   }
   return result;

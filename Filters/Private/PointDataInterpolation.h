@@ -26,6 +26,11 @@ namespace lmo
 /// \param positions of the output, a row per point
 vtkSmartPointer<vtkPointData> InterpolatePointData(
   vtkPolyData* input, const MeshNumbering& numbering, const Points& positions);
+
+/// The point data of a surface with triangles at those of its points that are closest to the
+/// positions, interpolated likewise; without ids and ghost flags.
+vtkSmartPointer<vtkPointData> PointDataAt(
+  vtkPolyData* surface, const MeshNumbering& numbering, const Points& positions);
 }
 
 #endif

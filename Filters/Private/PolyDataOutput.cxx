@@ -12,6 +12,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <sstream>
@@ -91,6 +92,17 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value)
   auto array = NewArray(name, 1, 1);
   array->SetValue(0, value);
   return array;
+}
+
+void AddCellFlags(const char* name, const Mask& isMarked, const MeshNumbering& numbering,
+  ResultArrays& results, vtkPolyData* output)
+{
+  const Mask ofCells = numbering.AnyOfCells(isMarked);
+  auto cells = vtkSmartPointer<vtkUnsignedCharArray>::New();
+  cells->SetName(name);
+  cells->SetNumberOfTuples(static_cast<vtkIdType>(ofCells.size()));
+  std::copy(ofCells.begin(), ofCells.end(), cells->GetPointer(0));
+  results.Add(output->GetCellData(), cells);
 }
 
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,

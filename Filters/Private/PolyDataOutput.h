@@ -31,6 +31,10 @@ vtkSmartPointer<vtkDoubleArray> MakeArray(
 /// Array of one value, as field data hold it.
 vtkSmartPointer<vtkDoubleArray> MakeArray(const char* name, double value);
 
+/// Adds a cell array of 0 and 1: whether one of the cell's triangles is marked.
+void AddCellFlags(const char* name, const Mask& isMarked, const MeshNumbering& numbering,
+  ResultArrays& results, vtkPolyData* output);
+
 /// Adds the qualities of the cells to the cell data, of a strip the least of its triangles, and
 /// those of the vertices to the point data.
 void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,

@@ -64,6 +64,18 @@ void ResultArrays::Remove(vtkFieldData* data, const char* name)
   }
 }
 
+void ResultArrays::AddMissing(vtkFieldData* more, vtkFieldData* data)
+{
+  for (int k = 0; k < more->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = more->GetAbstractArray(k);
+    if (array->GetName() && !data->HasArray(array->GetName()) && !IsResult(array))
+    {
+      data->AddArray(array);
+    }
+  }
+}
+
 void ResultArrays::Warn(vtkAlgorithm* filter) const
 {
   if (this->NumberOfRenamed > 0)

@@ -23,6 +23,9 @@ public:
   /// Removes the result of an earlier filter.
   static void Remove(vtkFieldData* data, const char* name);
 
+  /// Adds the arrays of \a more that \a data has not, and that are no results of our filters.
+  static void AddMissing(vtkFieldData* more, vtkFieldData* data);
+
   /// Warns of the results that did not get their names.
   void Warn(vtkAlgorithm* filter) const;
 

@@ -27,8 +27,13 @@ public:
     , Candidate(accepted)
     , Topology(lmo::BuildTopology(lmo::Index(mesh.V.rows()), mesh.T))
     , Neighbours(lmo::FindTriangleNeighbours(this->T, this->Topology))
-    , Validity(this->Accepted, this->Candidate, this->T, this->Topology, this->Neighbours)
+    , Validity(this->Accepted, this->Candidate, this->T, this->Topology, this->Neighbours,
+        lmo::SmoothedNormals(accepted, this->T, this->Topology))
   {
+    for (lmo::Index t = 0; t < this->T.rows(); ++t)
+    {
+      this->Validity.Accept(t, t);
+    }
     this->Candidate.row(vertex) = position;
     std::vector<lmo::Index> all(this->T.rows());
     std::iota(all.begin(), all.end(), 0);

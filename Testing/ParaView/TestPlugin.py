@@ -53,6 +53,8 @@ NUMBERS = {
     "FreeAxes": [1, 1, 0],
     "InterpolatePointData": 0,
     "WeldCoincidentPoints": 0,
+    "CheckSelfIntersections": 1,
+    "DiagnosticArrays": 0,
 }
 
 ARRAYS = [
@@ -76,12 +78,16 @@ RESULTS = [
     "RelativeResidual",
     "HausdorffBound",
     "RelativeHausdorffBound",
+    "SelfIntersections",
+    "InputSelfIntersections",
+    "PinnedBadTriangles",
 ]
 
 PROPERTIES = {
     "LaplacianMeshOptimizer": [
         "Input",
         "Selection",
+        "Reference",
         *ENUMERATIONS,
         *NUMBERS,
         *ARRAYS,

@@ -3,7 +3,7 @@
 #include "Checks.h"
 #include "ParallelTesting.h"
 
-#include "Core/Mesh/EmpiricalDistribution.h"
+#include "Core/Base/EmpiricalDistribution.h"
 #include "Parallel/DistributedRanking.h"
 
 #include <algorithm>

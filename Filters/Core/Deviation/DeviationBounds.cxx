@@ -3,7 +3,7 @@
 #include "Core/Deviation/DeviationBounds.h"
 
 #include "Core/Base/Threading.h"
-#include "Core/Deviation/Split.h"
+#include "Core/Base/Split.h"
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
@@ -12,25 +12,47 @@ namespace lmo
 {
 namespace
 {
-/// Share of the distance up to which heights over the original surface may be rough.
+/// Share of the distance up to which heights over the reference may be rough.
 constexpr double CarriedShare = 0.5;
 }
 
-DeviationBounds::DeviationBounds(const Points& original, const CandidateMesh& mesh,
+DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMesh& mesh,
   const Triangles& neighbours, double distance, ProgressMonitor& monitor)
-  : Original(original)
+  : Reference(reference)
   , Mesh(mesh)
   , Neighbours(neighbours)
   , Distance(distance)
+  , LimitsOfMesh(distance, static_cast<Index>(mesh.T.rows()))
+  , LimitsOfReference(distance, static_cast<Index>(reference.T.rows()))
   , Overlays(mesh.T.rows())
-  , OriginalTree(original, mesh.T, monitor)
-  , Tree(mesh.candidate, this->OriginalTree)
-  , ToOriginal(static_cast<Index>(mesh.T.rows()))
-  , ToCandidate(static_cast<Index>(mesh.T.rows()))
+  , ReferenceTree(reference.V, reference.T, monitor)
+  , Tree(this->IsOfMesh() ? TriangleBvh(mesh.candidate, this->ReferenceTree)
+                          : TriangleBvh(mesh.candidate, mesh.T, monitor))
+  , ToReference(static_cast<Index>(mesh.T.rows()))
+  , ToCandidate(static_cast<Index>(reference.T.rows()))
   , ToAccepted(this->ToCandidate)
-  , Recertified(static_cast<Index>(mesh.T.rows()))
+  , Recertified(static_cast<Index>(reference.T.rows()))
 {
-  ParallelFor(static_cast<Index>(mesh.T.rows()), [this](Index t) { this->Overlays[t].centre = t; });
+  if (!this->IsOfMesh())
+  {
+    this->CertifyBeginning(monitor);
+  }
+  ParallelFor(static_cast<Index>(mesh.T.rows()),
+    [this](Index t) { this->Overlays[t] = { this->GetCentre(t), this->ToReference.Get(t).heights }; });
+}
+
+void DeviationBounds::CertifyBeginning(ProgressMonitor& monitor)
+{
+  const SurfaceView mesh = this->CandidateView();
+  this->ToReference = DeviationCertificates(FindSeeds(mesh, this->ReferenceTree, monitor));
+  this->LimitsOfMesh = CertifyInput(
+    this->ToReference, mesh, this->Reference, this->ReferenceTree, this->Distance, monitor);
+  this->ToCandidate = DeviationCertificates(FindSeeds(this->Reference, this->Tree, monitor));
+  this->LimitsOfReference =
+    CertifyInput(this->ToCandidate, this->Reference, mesh, this->Tree, this->Distance, monitor);
+  this->ToAccepted = this->ToCandidate;
+  this->LimitsOfVertices =
+    VertexLimits(this->Mesh.candidate, this->ReferenceTree, this->Distance, monitor);
 }
 
 std::vector<Index> DeviationBounds::FindDependent(const Mask& isMarked)
@@ -43,7 +65,7 @@ std::vector<Index> DeviationBounds::FindDependentOfFew(const std::vector<Index>&
 {
   if (this->Dependents.IsEmpty())
   {
-    this->Dependents.Build(this->ToAccepted);
+    this->Dependents.Build(this->ToAccepted, static_cast<Index>(this->Mesh.T.rows()));
   }
   return this->Dependents.Find(triangles);
 }
@@ -51,9 +73,26 @@ std::vector<Index> DeviationBounds::FindDependentOfFew(const std::vector<Index>&
 std::vector<DeviationBounds::Failure> DeviationBounds::CheckCandidate(
   std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
 {
-  Split(list, monitor, [this](Index t) { return this->CarryToOriginal(t); });
-  return this->ToOriginal.Check(list, this->Mesh.candidate, this->OriginalView(),
-    this->OriginalTree, this->Distance, extent, monitor);
+  Split(list, monitor, [this](Index t) { return this->CarryToReference(t); });
+  std::vector<Failure> failures = this->ToReference.Check(list, this->CandidateView(),
+    this->Reference, this->ReferenceTree, this->LimitsOfMesh, extent, monitor);
+  for (const Index t : Split(list, monitor, [this](Index t) { return this->HasStrayed(t); }))
+  {
+    failures.push_back({ t, this->GetCentre(t) });
+  }
+  return failures;
+}
+
+bool DeviationBounds::HasStrayed(Index t) const
+{
+  bool hasStrayed = false;
+  for (int k = 0; k < 3 && this->LimitsOfMesh.IsRaised(t) && !hasStrayed; ++k)
+  {
+    const Index i = this->Mesh.T(t, k);
+    hasStrayed =
+      this->LimitsOfVertices.IsExceeded(i, this->Mesh.candidate.row(i), this->ReferenceTree);
+  }
+  return hasStrayed;
 }
 
 bool DeviationBounds::KeepUnmoved(Index t)
@@ -68,7 +107,7 @@ bool DeviationBounds::KeepUnmoved(Index t)
   return true;
 }
 
-std::vector<DeviationBounds::Failure> DeviationBounds::CheckOriginal(
+std::vector<DeviationBounds::Failure> DeviationBounds::CheckReference(
   std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
 {
   this->Recertified.Add(list);
@@ -80,8 +119,8 @@ std::vector<DeviationBounds::Failure> DeviationBounds::CheckOriginal(
   {
     Split(list, monitor, [this](Index t) { return this->KeepUnmoved(t); });
   }
-  std::vector<Failure> failures = this->ToCandidate.Check(
-    list, this->Original, this->CandidateView(), this->Tree, this->Distance, extent, monitor);
+  std::vector<Failure> failures = this->ToCandidate.Check(list, this->Reference,
+    this->CandidateView(), this->Tree, this->LimitsOfReference, extent, monitor);
   failures.erase(std::remove_if(failures.begin(), failures.end(),
                    [this](const Failure& failure) { return this->KeepUnmoved(failure.triangle); }),
     failures.end());
@@ -97,7 +136,7 @@ bool DeviationBounds::CarryToCandidate(Index t)
     largest = std::max(largest, this->Mesh.LargestDisplacement(u));
   }
   const HeightRange heights = accepted.heights.WidenedBy(largest);
-  if (!(heights.Largest() <= this->Distance))
+  if (!(heights.Largest() <= this->LimitsOfReference(t)))
   {
     return false;
   }
@@ -105,7 +144,7 @@ bool DeviationBounds::CarryToCandidate(Index t)
   return true;
 }
 
-bool DeviationBounds::CarryToOriginal(Index t)
+bool DeviationBounds::CarryToReference(Index t)
 {
   const HeightRange heights =
     this->Overlays[t].heights.WidenedBy(this->Mesh.LargestDisplacement(t));
@@ -114,12 +153,12 @@ bool DeviationBounds::CarryToOriginal(Index t)
     return false;
   }
   const Index centre = OverlayBound().FindCentre(
-    CornersOf(this->Mesh.candidate, this->Mesh.T, t), this->OriginalView(), this->GetCentre(t));
+    CornersOf(this->Mesh.candidate, this->Mesh.T, t), this->Reference, this->GetCentre(t));
   if (centre < 0)
   {
     return false;
   }
-  this->ToOriginal.Set(t, { centre, heights, { centre } });
+  this->ToReference.Set(t, { centre, heights, { centre } });
   return true;
 }
 
@@ -141,7 +180,7 @@ void DeviationBounds::Accept(const std::vector<Index>& triangles)
       const Index t = triangles[k];
       if (this->Mesh.IsMoved(t)) // else its certificate is one of a position that it had before
       {
-        this->Overlays[t] = { this->GetCentre(t), this->ToOriginal.Get(t).heights };
+        this->Overlays[t] = { this->GetCentre(t), this->ToReference.Get(t).heights };
       }
     });
   const std::vector<Index>& recertified = this->Recertified.Get();
@@ -163,7 +202,7 @@ void DeviationBounds::RollBack(const std::vector<Index>& triangles)
     [&](Index k)
     {
       const Overlay& overlay = this->Overlays[triangles[k]];
-      this->ToOriginal.Set(triangles[k], { overlay.centre, overlay.heights, {} });
+      this->ToReference.Set(triangles[k], { overlay.centre, overlay.heights, {} });
     });
   const std::vector<Index>& recertified = this->Recertified.Get();
   ParallelFor(static_cast<Index>(recertified.size()),

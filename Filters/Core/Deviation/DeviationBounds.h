@@ -3,14 +3,14 @@
 #ifndef lmo_DeviationBounds_h
 #define lmo_DeviationBounds_h
 
+#include "Core/Base/IndexSet.h"
 #include "Core/Deviation/CandidateMesh.h"
-#include "Core/Deviation/DeviationCertificates.h"
-#include "Core/Deviation/IndexSet.h"
+#include "Core/Deviation/ReferenceSurface.h"
 
 namespace lmo
 {
-/// Bounds of the distance between a mesh and a candidate for it, in both directions: certificates
-/// for each triangle, some of which are carried over small displacements.
+/// Bounds of the distance between a reference and a candidate for a mesh, in both directions:
+/// certificates for each triangle, some of which are carried over small displacements.
 class DeviationBounds
 {
 public:
@@ -18,43 +18,58 @@ public:
   using Extent = DeviationCertificates::Extent;
 
   /// Keeps references to the arguments.
-  /// \param original positions
-  /// \param mesh with the original positions at first
-  /// \param neighbours what FindTriangleNeighbours() returned
-  /// \param distance that is allowed
+  /// \param reference the mesh itself, with the same list of triangles, or another surface
+  /// \param neighbours what FindTriangleNeighbours() returned for the mesh
+  /// \param distance that is allowed; what begins farther away may stay as far away as it is
   /// \throw Cancelled if the monitor says so.
-  DeviationBounds(const Points& original, const CandidateMesh& mesh, const Triangles& neighbours,
-    double distance, ProgressMonitor& monitor);
+  DeviationBounds(const SurfaceView& reference, const CandidateMesh& mesh,
+    const Triangles& neighbours, double distance, ProgressMonitor& monitor);
   DeviationBounds(const DeviationBounds&) = delete;
   void operator=(const DeviationBounds&) = delete;
 
   /// Says that these triangles of the candidate have changed.
   void Update(const std::vector<Index>& triangles) { this->Tree.Invalidate(triangles); }
 
-  /// Original triangles whose certificates need one of the candidate's triangles.
+  /// The tree of the candidate as it is now.
+  const TriangleBvh& GetTree()
+  {
+    this->Tree.Refit();
+    return this->Tree;
+  }
+
+  /// Triangles of the reference whose certificates need one of the candidate's triangles.
   /// \param isMarked for these triangles
   std::vector<Index> FindDependent(const Mask& isMarked);
 
   /// The same of few triangles that are the first to change, from an index that is kept.
   std::vector<Index> FindDependentOfFew(const std::vector<Index>& triangles);
 
-  /// The triangles of the candidate that are not close to the original surface.
+  /// The triangles of the candidate that are not close to the reference.
   std::vector<Failure> CheckCandidate(
     std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
 
-  /// The original triangles that are not close to the candidate, while displacements may be the
-  /// reason. With ALL_FAILURES, accepted certificates are carried over where they leave enough of
-  /// the distance; single displacements would add up in them.
-  std::vector<Failure> CheckOriginal(
+  /// The triangles of the reference that are not close to the candidate, while displacements may be
+  /// the reason. With ALL_FAILURES, accepted certificates are carried over where they leave enough
+  /// of the distance; single displacements would add up in them.
+  std::vector<Failure> CheckReference(
     std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
 
-  /// The original triangle over the centre of a triangle of the candidate that was checked.
-  Index GetCentre(Index t) const { return this->ToOriginal.Get(t).seed; }
+  /// The reference's triangle over the centre of a triangle of the candidate that was checked.
+  Index GetCentre(Index t) const { return this->ToReference.Get(t).seed; }
 
-  /// The candidate's triangles that the accepted certificate of an original triangle needs.
-  const std::vector<Index>& GetUsed(Index t) const { return this->ToAccepted.Get(t).used; }
+  /// What the accepted mesh has over a triangle of the reference.
+  const DeviationCertificates::Certificate& GetAccepted(Index t) const
+  {
+    return this->ToAccepted.Get(t);
+  }
 
-  /// Heights of the original surface over an accepted triangle.
+  /// Number of triangles that began beyond the distance, in both directions.
+  Index CountBeyond() const
+  {
+    return this->LimitsOfMesh.Count() + this->LimitsOfReference.Count();
+  }
+
+  /// Heights of the reference over an accepted triangle.
   const HeightRange& GetHeights(Index t) const { return this->Overlays[t].heights; }
 
   /// Every point of one surface is within this distance of the other, for the positions accepted.
@@ -63,7 +78,7 @@ public:
   /// Of proofs so far, see DeviationCertificates.
   std::int64_t GetEffort() const
   {
-    return this->ToOriginal.GetEffort() + this->ToCandidate.GetEffort();
+    return this->ToReference.GetEffort() + this->ToCandidate.GetEffort();
   }
 
   /// Accepts these triangles of the candidate, before their positions are, and all certificates.
@@ -73,43 +88,54 @@ public:
   void RollBack(const std::vector<Index>& triangles);
 
 private:
-  /// The original surface over an accepted triangle.
+  /// The reference over an accepted triangle.
   struct Overlay
   {
-    Index centre; ///< original triangle over the centre
+    Index centre; ///< triangle of the reference over the centre
     HeightRange heights;
   };
 
-  SurfaceView OriginalView() const { return { this->Original, this->Mesh.T, this->Neighbours }; }
   SurfaceView CandidateView() const
   {
     return { this->Mesh.candidate, this->Mesh.T, this->Neighbours };
   }
 
-  /// Keeps the accepted certificate of an original triangle, if it needs none that has moved.
+  /// True if the reference is the mesh as it was before it moved.
+  bool IsOfMesh() const { return &this->Reference.T == &this->Mesh.T; }
+
+  /// Certifies where a mesh begins that is not the reference itself.
+  void CertifyBeginning(ProgressMonitor& monitor);
+
+  /// Keeps the accepted certificate of a triangle of the reference, if it needs none that has moved.
   /// \return whether it is kept
   bool KeepUnmoved(Index t);
 
-  /// Certifies an original triangle by its accepted certificate, if the displacements since then
-  /// leave enough of the distance.
+  /// Certifies a triangle of the reference by its accepted certificate, if the displacements since
+  /// then leave enough of the distance.
   /// \return whether they do
   bool CarryToCandidate(Index t);
 
   /// The same for a triangle of the candidate.
-  bool CarryToOriginal(Index t);
+  bool CarryToReference(Index t);
 
-  const Points& Original;
+  /// True if a corner of a triangle that began beyond the distance is farther away than it may be.
+  bool HasStrayed(Index t) const;
+
+  const SurfaceView Reference;
   const CandidateMesh& Mesh;
   const Triangles& Neighbours;
   const double Distance;
+  DistanceLimits LimitsOfMesh;
+  DistanceLimits LimitsOfReference;
+  VertexLimits LimitsOfVertices;
   std::vector<Overlay> Overlays;
-  TriangleBvh OriginalTree;
+  TriangleBvh ReferenceTree;
   TriangleBvh Tree;                  ///< of the candidate
-  DeviationCertificates ToOriginal;  ///< the candidate's triangles are close to the original mesh
+  DeviationCertificates ToReference; ///< the candidate's triangles are close to the reference
   DeviationCertificates ToCandidate; ///< and the other way round
-  DeviationCertificates ToAccepted;  ///< the original triangles are close to the accepted mesh
+  DeviationCertificates ToAccepted;  ///< those of the reference are close to the accepted mesh
   DependentCertificates Dependents;  ///< those of ToAccepted; empty until it is needed
-  IndexSet Recertified; ///< original triangles that ToCandidate knows other certificates of
+  IndexSet Recertified; ///< the reference's triangles of which ToCandidate knows other certificates
 };
 }
 

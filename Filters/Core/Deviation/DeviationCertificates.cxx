@@ -40,10 +40,10 @@ constexpr int FewSearches = 256;
 class Prover
 {
 public:
-  Prover(const Points& V, const SurfaceView& mesh, double distance)
-    : V(V)
-    , Mesh(mesh)
-    , Distance(distance)
+  Prover(const SurfaceView& from, const SurfaceView& to, const DistanceLimits& limits)
+    : From(from)
+    , To(to)
+    , Limits(limits)
   {
   }
 
@@ -52,29 +52,29 @@ public:
   OverlayBound::Verdict Prove(Index triangle, Subdivision* subdivision,
     DeviationCertificates::Certificate& certificate, Index& close)
   {
-    const TriangleCorners corners = CornersOf(this->V, this->Mesh.T, triangle);
+    const TriangleCorners corners = CornersOf(this->From.V, this->From.T, triangle);
+    const double distance = this->Limits(triangle);
     const OverlayBound::Verdict verdict =
-      this->Overlay.Test(corners, this->Mesh, subdivision, certificate.seed, this->Distance);
+      this->Overlay.Test(corners, this->To, subdivision, certificate.seed, distance);
     Store(this->Overlay, verdict, certificate, close);
     if (verdict != OverlayBound::UNCLEAR || !subdivision)
     {
       return verdict;
     }
-    Nearness nearness = TestBySubdivision(corners, *subdivision, this->Distance, certificate.seed);
+    Nearness nearness = TestBySubdivision(corners, *subdivision, distance, certificate.seed);
     close = nearness.failure;
     if (!nearness.isProven)
     {
       return OverlayBound::BEYOND;
     }
-    certificate = { nearness.used[0], { -this->Distance, this->Distance },
-      std::move(nearness.used) };
+    certificate = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
     return OverlayBound::WITHIN;
   }
 
 private:
-  const Points& V;
-  const SurfaceView& Mesh;
-  const double Distance;
+  const SurfaceView& From;
+  const SurfaceView& To;
+  const DistanceLimits& Limits;
   OverlayBound Overlay;
 };
 }
@@ -90,25 +90,25 @@ DeviationCertificates::DeviationCertificates(Index triangles)
     });
 }
 
-void DeviationCertificates::Assign(const DeviationCertificates& other)
+DeviationCertificates::DeviationCertificates(const std::vector<Index>& seeds)
+  : Certificates(seeds.size())
 {
-  this->Certificates.resize(other.Certificates.size());
-  ParallelFor(this->Size(), [&](Index t) { this->Certificates[t] = other.Certificates[t]; });
+  ParallelFor(this->Size(), [&](Index t) { this->Certificates[t].seed = seeds[t]; });
 }
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
-  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
-  double distance, Extent extent, ProgressMonitor& monitor)
+  const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
+  const DistanceLimits& limits, Extent extent, ProgressMonitor& monitor)
 {
-  return extent == ALL_FAILURES ? this->FindAll(list, V, mesh, tree, distance, monitor)
-                                : this->FindFirst(list, V, mesh, tree, distance);
+  return extent == ALL_FAILURES ? this->FindAll(list, from, to, tree, limits, monitor)
+                                : this->FindFirst(list, from, to, tree, limits);
 }
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
-  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
-  double distance)
+  const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
+  const DistanceLimits& limits)
 {
-  Prover prover(V, mesh, distance);
+  Prover prover(from, to, limits);
   this->Effort += static_cast<std::int64_t>(list.size());
   std::vector<Index> open;
   Index close = -1;
@@ -141,8 +141,8 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
 }
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
-  const std::vector<Index>& list, const Points& V, const SurfaceView& mesh, TriangleBvh& tree,
-  double distance, ProgressMonitor& monitor)
+  const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
+  const DistanceLimits& limits, ProgressMonitor& monitor)
 {
   const auto size = static_cast<Index>(list.size());
   this->Effort += size;
@@ -151,7 +151,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
   const auto proveOpen = [&](const TriangleBvh* closest)
   {
     InterruptibleFor(size, monitor,
-      [&, prover = Prover(V, mesh, distance)](Index k) mutable
+      [&, prover = Prover(from, to, limits)](Index k) mutable
       {
         if (states[k] == OverlayBound::UNCLEAR)
         {
@@ -214,7 +214,7 @@ void DependentCertificates::Clear()
   this->Added.clear();
 }
 
-void DependentCertificates::Build(const DeviationCertificates& certificates)
+void DependentCertificates::Build(const DeviationCertificates& certificates, Index triangles)
 {
   const auto forEach = [&](const auto& visit)
   {
@@ -227,7 +227,7 @@ void DependentCertificates::Build(const DeviationCertificates& certificates)
     }
   };
   std::vector<Index>& offsets = this->Listed.offsets;
-  offsets.assign(certificates.Size() + 2, 0);
+  offsets.assign(triangles + 2, 0);
   forEach([&](Index used, Index) { ++offsets[used + 2]; });
   std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   this->Listed.ids.resize(offsets.back());

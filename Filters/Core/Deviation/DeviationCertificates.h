@@ -6,12 +6,50 @@
 #include "Core/Deviation/OverlayBound.h"
 #include "Core/Mesh/TriangleBvh.h"
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace lmo
 {
-/// Certificates that each triangle of one mesh lies within a distance of a second mesh. Both meshes
-/// have the same triangles and positions of their own, either of which may move.
+/// How far each triangle of a mesh may be from another mesh: the distance allowed, or more where it
+/// began farther away.
+class DistanceLimits
+{
+public:
+  DistanceLimits(double distance, Index triangles)
+    : Distance(distance)
+    , Triangles(triangles)
+  {
+  }
+
+  double operator()(Index triangle) const
+  {
+    return this->Raised.empty() ? this->Distance : this->Raised[triangle];
+  }
+
+  bool IsRaised(Index triangle) const { return (*this)(triangle) > this->Distance; }
+
+  void Raise(Index triangle, double limit)
+  {
+    this->Raised.resize(this->Triangles, this->Distance);
+    this->Raised[triangle] = limit;
+  }
+
+  /// Number of triangles with a limit of their own.
+  Index Count() const
+  {
+    return static_cast<Index>(std::count_if(this->Raised.begin(), this->Raised.end(),
+      [this](double limit) { return limit > this->Distance; }));
+  }
+
+private:
+  double Distance;
+  Index Triangles;
+  std::vector<double> Raised; ///< empty if all limits are the distance
+};
+
+/// Certificates that each triangle of one mesh lies within a distance of a second mesh, either of
+/// which may move.
 class DeviationCertificates
 {
 public:
@@ -38,15 +76,19 @@ public:
     FIRST_FAILURE ///< it ends at one failure, and what takes long to prove is one, too
   };
 
-  /// Begins with equal positions.
+  /// Two meshes with the same triangles in the same places.
   explicit DeviationCertificates(Index triangles);
 
-  /// Proves anew that the triangles of \a list with the corners in \a V are within \a distance of
-  /// \a mesh.
-  /// \param tree of \a mesh; refitted if it is needed
+  /// Nothing is certified yet.
+  /// \param seeds for each triangle one of the second mesh that is close to its centre
+  explicit DeviationCertificates(const std::vector<Index>& seeds);
+
+  /// Proves anew that the triangles of \a list of the mesh \a from are within their limits of the
+  /// mesh \a to.
+  /// \param tree of \a to; refitted if it is needed
   /// \throw Cancelled if the monitor says so; the certificates are of no use then.
-  std::vector<Failure> Check(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleBvh& tree, double distance, Extent extent,
+  std::vector<Failure> Check(const std::vector<Index>& list, const SurfaceView& from,
+    const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits, Extent extent,
     ProgressMonitor& monitor);
 
   const Certificate& Get(Index triangle) const { return this->Certificates[triangle]; }
@@ -54,9 +96,6 @@ public:
   {
     this->Certificates[triangle] = std::move(certificate);
   }
-
-  /// Copies all certificates of as many triangles.
-  void Assign(const DeviationCertificates& other);
 
   Index Size() const { return static_cast<Index>(this->Certificates.size()); }
 
@@ -71,10 +110,11 @@ public:
   double GetBound() const;
 
 private:
-  std::vector<Failure> FindAll(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
-  std::vector<Failure> FindFirst(const std::vector<Index>& list, const Points& V,
-    const SurfaceView& mesh, TriangleBvh& tree, double distance);
+  std::vector<Failure> FindAll(const std::vector<Index>& list, const SurfaceView& from,
+    const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits,
+    ProgressMonitor& monitor);
+  std::vector<Failure> FindFirst(const std::vector<Index>& list, const SurfaceView& from,
+    const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits);
 
   std::vector<Certificate> Certificates;
   std::int64_t Effort = 0;
@@ -90,7 +130,8 @@ public:
   void Clear();
 
   /// Lists all certificates.
-  void Build(const DeviationCertificates& certificates);
+  /// \param triangles of the second mesh
+  void Build(const DeviationCertificates& certificates, Index triangles);
 
   /// Lists a new certificate of one triangle.
   void Add(Index triangle, const DeviationCertificates::Certificate& certificate);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Deviation/DeviationGuard.h"
 
-#include "Core/Deviation/Split.h"
+#include "Core/Base/Split.h"
 #include "Core/Mesh/TriangleNeighbours.h"
+#include "Core/Mesh/TriangleSeparation.h"
 
 #include <algorithm>
 
@@ -13,18 +14,46 @@ namespace
 {
 /// Share of the distance that round-off may not use.
 constexpr double Margin = 1e-6;
+
+/// Adds what is not in the list yet.
+/// \param listed an empty set
+void AddOnce(const std::vector<Index>& more, std::vector<Index>& list, IndexSet& listed)
+{
+  listed.Add(list);
+  listed.Add(more);
+  list = listed.Get();
+  listed.Clear();
+}
 }
 
 DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   const MeshTopology& topology, double distance, ProgressMonitor& monitor)
+  : DeviationGuard(V, triangles, topology, { V, triangles, topology }, distance, monitor)
+{
+}
+
+DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
+  const MeshTopology& topology, const ReferenceSurface& reference, double distance,
+  ProgressMonitor& monitor)
   : Topology(topology)
   , Neighbours(FindTriangleNeighbours(triangles, topology))
+  , ReferenceNeighbours(&reference.T == &triangles
+                          ? Triangles()
+                          : FindTriangleNeighbours(reference.T, reference.topology))
   , Mesh{ triangles, V, V }
-  , Shapes(this->Mesh.accepted, this->Mesh.candidate, triangles, topology, this->Neighbours)
-  , Bounds(V, this->Mesh, this->Neighbours, (1 - Margin) * distance, monitor)
+  , Bounds({ reference.V, reference.T,
+             &reference.T == &triangles ? this->Neighbours : this->ReferenceNeighbours },
+      this->Mesh, this->Neighbours, (1 - Margin) * distance, monitor)
+  , Shapes(this->Mesh.accepted, this->Mesh.candidate, triangles, topology, this->Neighbours,
+      SmoothedNormals(reference.V, reference.T, reference.topology))
+  , Intersections(triangles, topology)
+  , InputPairs(this->Intersections.FindAll(V, this->Bounds.GetTree(), monitor))
   , Proposed(static_cast<Index>(triangles.rows()))
   , Listed(static_cast<Index>(triangles.rows()))
+  , ListedOfReference(static_cast<Index>(reference.T.rows()))
 {
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [this](Index t) { this->Shapes.Accept(t, this->Bounds.GetCentre(t)); });
   monitor.Report(0);
 }
 
@@ -38,14 +67,6 @@ std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertice
   std::vector<Index> triangles = this->Listed.Get();
   this->Listed.Clear();
   return triangles;
-}
-
-void DeviationGuard::AddOnce(const std::vector<Index>& more, std::vector<Index>& list)
-{
-  this->Listed.Add(list);
-  this->Listed.Add(more);
-  list = this->Listed.Get();
-  this->Listed.Clear();
 }
 
 std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& triangles, Extent extent)
@@ -82,6 +103,29 @@ std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
   return failures;
 }
 
+void DeviationGuard::AddNewPairs(
+  const std::vector<Index>& changed, ProgressMonitor& monitor, std::vector<Failure>& failures)
+{
+  for (const TrianglePair& pair :
+    this->Intersections.Find(this->Mesh.candidate, changed, this->Bounds.GetTree(), monitor))
+  {
+    if (!std::binary_search(this->InputPairs.begin(), this->InputPairs.end(), pair))
+    {
+      failures.push_back({ pair.first, { pair.second } });
+      failures.push_back({ pair.second, { pair.first } });
+    }
+  }
+}
+
+std::vector<TrianglePair> DeviationGuard::FindAcceptedPairs() const
+{
+  std::vector<TrianglePair> pairs;
+  std::copy_if(this->InputPairs.begin(), this->InputPairs.end(), std::back_inserter(pairs),
+    [this](const TrianglePair& pair)
+    { return !AreSeparate(this->Mesh.accepted, this->Mesh.T, pair.first, pair.second); });
+  return pairs;
+}
+
 std::vector<Index> DeviationGuard::FindAstray(
   const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor)
 {
@@ -105,13 +149,13 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   const std::vector<Index>& vertices, double leastQuality, Extent extent, ProgressMonitor& monitor)
 {
   std::vector<Index> changed = this->TrianglesAt(vertices);
-  std::vector<Index> originals = this->FindDependent(changed, extent);
+  std::vector<Index> below = this->FindDependent(changed, extent);
   this->Proposed.Add(changed);
   this->Bounds.Update(changed);
   this->Shapes.Update(changed);
-  this->AddOnce(this->Open, changed); // what failed in the last call is judged again
-  this->AddOnce(this->OpenOriginal, originals);
-  this->OpenOriginal.clear();
+  AddOnce(this->Open, changed, this->Listed); // what failed in the last call is judged again
+  AddOnce(this->OpenReference, below, this->ListedOfReference);
+  this->OpenReference.clear();
 
   std::vector<Failure> failures;
   std::vector<Index> bad =
@@ -121,6 +165,10 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   if (!isDecided())
   {
     failures = this->FindInvertedBeside(vertices, monitor);
+  }
+  if (!isDecided())
+  {
+    this->AddNewPairs(changed, monitor, failures);
   }
   if (!isDecided())
   {
@@ -135,10 +183,11 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   }
   if (!isDecided())
   {
-    for (const auto& [triangle, close] : this->Bounds.CheckOriginal(originals, extent, monitor))
+    for (const auto& [triangle, close] : this->Bounds.CheckReference(below, extent, monitor))
     {
-      this->OpenOriginal.push_back(triangle);
-      failures.push_back({ close < 0 ? triangle : close, this->Bounds.GetUsed(triangle) });
+      const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
+      this->OpenReference.push_back(triangle);
+      failures.push_back({ close < 0 ? accepted.seed : close, accepted.used });
     }
   }
   return failures;
@@ -187,6 +236,6 @@ void DeviationGuard::EndTransaction()
 {
   this->Proposed.Clear();
   this->Open.clear();
-  this->OpenOriginal.clear();
+  this->OpenReference.clear();
 }
 }

@@ -4,14 +4,16 @@
 #define lmo_DeviationGuard_h
 
 #include "Core/Deviation/DeviationBounds.h"
+#include "Core/Deviation/SelfIntersections.h"
 #include "Core/Deviation/TriangleValidity.h"
 
 namespace lmo
 {
 /// Judges displacements of a mesh's vertices: every point of the moved surface has to stay within a
-/// distance of the original one, and every point of the original one within it of the moved one;
-/// triangles must not turn bad or fold, and none that was not inverted may turn by more than a
-/// right angle from its own original normal or from that of the surface below it. Where the mesh
+/// distance of a reference, the original surface or another one, and every point of the reference
+/// within it of the moved surface; triangles must not turn bad or fold, and none that was not
+/// inverted may turn by more than a right angle from its own original normal or from that of the
+/// reference below it; no triangles may meet that did not meet in the original mesh. Where the mesh
 /// accepted so far is beyond a limit already, it must not get worse.
 ///
 /// Positions change in transactions: any number of vertices are proposed and judged, and proposed
@@ -33,11 +35,15 @@ public:
   static constexpr Extent ALL_FAILURES = DeviationCertificates::ALL_FAILURES;
   static constexpr Extent FIRST_FAILURE = DeviationCertificates::FIRST_FAILURE;
 
-  /// Keeps references to the arguments.
+  /// The mesh itself is the reference. Keeps references to the arguments.
   /// \param distance > 0
   /// \throw Cancelled if the monitor says so.
   DeviationGuard(const Points& V, const Triangles& triangles, const MeshTopology& topology,
     double distance, ProgressMonitor& monitor);
+
+  /// The same for a mesh that stays near a reference of its own, which has triangles.
+  DeviationGuard(const Points& V, const Triangles& triangles, const MeshTopology& topology,
+    const ReferenceSurface& reference, double distance, ProgressMonitor& monitor);
   DeviationGuard(const DeviationGuard&) = delete;
   void operator=(const DeviationGuard&) = delete;
 
@@ -50,11 +56,21 @@ public:
   /// t of the triangles judged last.
   const Vector& GetQuality() const { return this->Shapes.GetQuality(); }
 
-  /// Heights of the original surface over an accepted triangle.
+  /// Heights of the reference over an accepted triangle.
   const HeightRange& GetHeights(Index t) const { return this->Bounds.GetHeights(t); }
 
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const { return this->Bounds.GetBound(); }
+
+  /// Number of triangles that began farther away than the distance: of the mesh from the reference,
+  /// and of the reference from the mesh.
+  Index CountBeyond() const { return this->Bounds.CountBeyond(); }
+
+  /// The pairs of triangles that meet in the original mesh, see SelfIntersections.
+  const std::vector<TrianglePair>& GetInputPairs() const { return this->InputPairs; }
+
+  /// Those of them that meet in the accepted one; no others do.
+  std::vector<TrianglePair> FindAcceptedPairs() const;
 
   /// Number of proofs of distances so far: about proportional to the time spent on them.
   std::int64_t GetEffort() const { return this->Bounds.GetEffort(); }
@@ -87,10 +103,7 @@ private:
   /// The triangles of the cells at the vertices, each once.
   std::vector<Index> TrianglesAt(const std::vector<Index>& vertices);
 
-  /// Adds what is not in the list yet.
-  void AddOnce(const std::vector<Index>& more, std::vector<Index>& list);
-
-  /// Original triangles that have to be judged again, since these triangles have changed.
+  /// Triangles of the reference that have to be judged again, since these triangles have changed.
   std::vector<Index> FindDependent(const std::vector<Index>& triangles, Extent extent);
 
   /// True if the triangle of the candidate is no valid one.
@@ -100,7 +113,11 @@ private:
   std::vector<Failure> FindInvertedBeside(
     const std::vector<Index>& vertices, ProgressMonitor& monitor);
 
-  /// Triangles that are far from the original surface or turned against it.
+  /// Adds the pairs of the candidate's triangles that meet and did not in the original mesh.
+  void AddNewPairs(
+    const std::vector<Index>& changed, ProgressMonitor& monitor, std::vector<Failure>& failures);
+
+  /// Triangles that are far from the reference or turned against it.
   std::vector<Index> FindAstray(
     const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor);
 
@@ -108,16 +125,21 @@ private:
 
   const MeshTopology& Topology;
   const Triangles Neighbours;
+  const Triangles ReferenceNeighbours; ///< no rows if the reference is the mesh itself
   CandidateMesh Mesh;
-  TriangleValidity Shapes;
   DeviationBounds Bounds;
+  TriangleValidity Shapes;
+  SelfIntersections Intersections;
+  const std::vector<TrianglePair> InputPairs;
 
   // Of the transaction:
-  IndexSet Proposed;               ///< triangles for whose vertices positions have been proposed
-  std::vector<Index> Open;         ///< triangles of the candidate that failed in the last call
-  std::vector<Index> OpenOriginal; ///< the same of the original mesh
+  IndexSet Proposed;                ///< triangles for whose vertices positions have been proposed
+  std::vector<Index> Open;          ///< triangles of the candidate that failed in the last call
+  std::vector<Index> OpenReference; ///< the same of the reference
 
-  IndexSet Listed; ///< helps to list triangles once; empty in between
+  // To list triangles once; empty in between:
+  IndexSet Listed;
+  IndexSet ListedOfReference;
 };
 }
 

@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace lmo
 {
 namespace
 {
-/// Least cosine of the angle between a triangle and the original surface at its centre.
+/// Least cosine of the angle between a triangle and the reference at its centre.
 constexpr double LeastCosine = 0.3;
 
 /// Least cosine of the angle between two triangles with a common edge.
@@ -23,22 +24,6 @@ constexpr double LeastCosineAtEdge = -0.5;
 /// Least cosine of the angle by which a triangle may turn: a right angle but for the round-off in
 /// normals of nearly degenerate triangles.
 constexpr double LeastCosineToItself = 1e-3;
-
-/// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
-/// degenerate triangles turn it less than the triangle's own.
-Points SmoothedNormals(const Points& V, const Triangles& T, const MeshTopology& topology)
-{
-  const Points vertexNormals = VertexNormals(V, T, topology);
-  Points normals(T.rows(), 3);
-  ParallelFor(static_cast<Index>(T.rows()),
-    [&](Index t)
-    {
-      const Vector3 sum =
-        vertexNormals.row(T(t, 0)) + vertexNormals.row(T(t, 1)) + vertexNormals.row(T(t, 2));
-      normals.row(t) = sum.stableNormalized();
-    });
-  return normals;
-}
 
 /// Cosine of the angle between a triangle's normal and the sum of the vertex normals at its
 /// corners, without those of vertices of high valence, which hardly change.
@@ -55,6 +40,20 @@ double CosineToVertices(const Points& V, const Triangles& T, const MeshTopology&
   }
   return ScaledNormal(V, T, t).stableNormalized().dot(sum.stableNormalized());
 }
+}
+
+Points SmoothedNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology)
+{
+  const Points vertexNormals = VertexNormals(V, triangles, topology);
+  Points normals(triangles.rows(), 3);
+  ParallelFor(static_cast<Index>(triangles.rows()),
+    [&](Index t)
+    {
+      const Vector3 sum = vertexNormals.row(triangles(t, 0)) + vertexNormals.row(triangles(t, 1)) +
+                          vertexNormals.row(triangles(t, 2));
+      normals.row(t) = sum.stableNormalized();
+    });
+  return normals;
 }
 
 Points NormalsToKeep(const Points& V, const Triangles& triangles)
@@ -86,14 +85,15 @@ Points NormalsToKeep(const Points& V, const Triangles& triangles)
 }
 
 TriangleValidity::TriangleValidity(const Points& accepted, const Points& candidate,
-  const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours)
+  const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours,
+  Points referenceNormals)
   : AcceptedPoints(accepted)
   , CandidatePoints(candidate)
   , T(triangles)
   , Topology(topology)
   , Neighbours(neighbours)
   , OriginalNormals(NormalsToKeep(accepted, triangles))
-  , ReferenceNormals(SmoothedNormals(accepted, triangles, topology))
+  , ReferenceNormals(std::move(referenceNormals))
   , AcceptedNormals(triangles.rows(), 3)
   , Normals(triangles.rows(), 3)
   , AcceptedQuality(triangles.rows())
@@ -103,7 +103,6 @@ TriangleValidity::TriangleValidity(const Points& accepted, const Points& candida
   std::vector<Index> all(triangles.rows());
   std::iota(all.begin(), all.end(), 0);
   this->Update(all);
-  ParallelFor(static_cast<Index>(triangles.rows()), [this](Index t) { this->Accept(t, t); });
 }
 
 void TriangleValidity::Update(const std::vector<Index>& triangles)

@@ -11,6 +11,10 @@ namespace lmo
 /// inverted: they face away from the sum of the vertex normals at their corners.
 Points NormalsToKeep(const Points& V, const Triangles& triangles);
 
+/// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
+/// degenerate triangles turn it less than the triangle's own.
+Points SmoothedNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology);
+
 /// True if a triangle has turned over: by more than a right angle.
 /// \param normalToKeep one row of NormalsToKeep()
 /// \param normal of the triangle now
@@ -24,12 +28,13 @@ inline bool HasTurnedOver(const Vector3& normalToKeep, const Vector3& normal)
 class TriangleValidity
 {
 public:
-  /// Keeps references to the arguments. The candidate is accepted at first.
+  /// Keeps references to the arguments. The candidate has to be accepted first.
   /// \param accepted positions
   /// \param candidate positions, equal at first
   /// \param neighbours what FindTriangleNeighbours() returned
+  /// \param referenceNormals SmoothedNormals() of the surface that the mesh lies on
   TriangleValidity(const Points& accepted, const Points& candidate, const Triangles& triangles,
-    const MeshTopology& topology, const Triangles& neighbours);
+    const MeshTopology& topology, const Triangles& neighbours, Points referenceNormals);
 
   /// t of the accepted triangles; those of a polygon have its quality.
   const Vector& GetAcceptedQuality() const { return this->AcceptedQuality; }
@@ -53,8 +58,8 @@ public:
   /// True if the triangle turns over, or almost, in comparison with itself in the original mesh.
   bool IsTurnedOver(Index t) const;
 
-  /// True if the triangle is turned against the original surface, more than before.
-  /// \param below the original triangle under its centre
+  /// True if the triangle is turned against the surface that it lies on, more than before.
+  /// \param below that surface's triangle under its centre
   bool IsTurned(Index t, Index below) const;
 
   /// Accepts one triangle of the candidate.
@@ -82,7 +87,7 @@ private:
   const MeshTopology& Topology;
   const Triangles& Neighbours;
   const Points OriginalNormals;  ///< what NormalsToKeep() returned
-  const Points ReferenceNormals; ///< unit normals of the original triangles, smoothed
+  const Points ReferenceNormals;
   Points AcceptedNormals;        ///< of the triangles
   Points Normals;
   Vector AcceptedQuality;

@@ -3,7 +3,7 @@
 #ifndef lmo_Subdomain_h
 #define lmo_Subdomain_h
 
-#include "Core/Mesh/EmpiricalDistribution.h"
+#include "Core/Base/EmpiricalDistribution.h"
 #include "Core/Mesh/FeatureLines.h"
 
 namespace lmo

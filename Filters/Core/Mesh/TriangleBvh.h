@@ -28,6 +28,8 @@ public:
   /// The same tree over vertices that may move on their own; keeps a reference to \a V.
   TriangleBvh(const Points& V, const TriangleBvh& other);
 
+  bool IsEmpty() const { return this->Order.empty(); }
+
   /// Says which triangles have moved: Refit() has to follow before the next query.
   void Invalidate(const std::vector<Index>& triangles);
 
@@ -41,6 +43,35 @@ public:
 
   /// The triangle closest to x, at any distance; triangle -1 if there are no triangles.
   Hit FindClosest(const Vector3& x) const;
+
+  /// Calls visit(triangle) for the triangles of all leaves whose boxes meet a box: for each triangle
+  /// that meets it, and for others.
+  template <typename Visit>
+  void ForEachNear(const Eigen::AlignedBox3d& box, const Visit& visit) const
+  {
+    Index stack[64];
+    int size = 0;
+    stack[size++] = 1;
+    while (size > 0)
+    {
+      const Index node = stack[--size];
+      if (!this->Boxes[node].intersects(box))
+      {
+        continue;
+      }
+      if (node < this->Leaves)
+      {
+        stack[size++] = 2 * node + 1;
+        stack[size++] = 2 * node;
+        continue;
+      }
+      const Index leaf = node - this->Leaves;
+      for (Index k = this->Begin(leaf); k < this->Begin(leaf + 1); ++k)
+      {
+        visit(this->Order[k]);
+      }
+    }
+  }
 
   /// Of x to one triangle.
   double SquaredDistance(Index triangle, const Vector3& x) const;

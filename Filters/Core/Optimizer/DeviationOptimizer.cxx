@@ -12,7 +12,7 @@
 #include "Core/Solvers/LinearSolver.h"
 
 #include <algorithm>
-#include <limits>
+#include <string>
 
 namespace lmo
 {
@@ -27,15 +27,6 @@ constexpr double CentringShare = 0.6;    ///< of the distance, used up, from whi
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
 
-/// Of distances between points in this box.
-double RoundOff(const Eigen::AlignedBox3d& box)
-{
-  constexpr double factor = 8 * std::numeric_limits<double>::epsilon();
-  return box.isEmpty()
-           ? 0
-           : factor * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
-}
-
 /// Least t that a pass may give a triangle which had it, none below the least of the input.
 double LeastQuality(int pass, const MeshQuality& input)
 {
@@ -47,21 +38,17 @@ double MeanOf(const Vector& quality)
   return quality.size() > 0 ? quality.mean() : 0;
 }
 
-/// How far the surfaces may be apart.
-double LargestDistance(const MeshQuantities& mesh, const OptimizerOptions& options)
-{
-  return options.deviation.maximum * (options.deviation.isAbsolute ? 1 : mesh.GetDiagonal());
-}
-
 class Passes
 {
 public:
   Passes(const MeshQuantities& mesh, RunPlan& plan, ProgressMonitor& monitor)
     : Mesh(mesh)
+    , Plan(plan)
     , Options(plan.options)
     , Features(*plan.lines)
-    , Distance(std::max(LargestDistance(mesh, plan.options) - RoundOff(mesh.GetBox()), 0.0))
-    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), this->Distance, monitor)
+    , Distance(LargestDistance(mesh, plan))
+    , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), ReferenceOf(mesh, plan),
+        this->Distance, monitor)
     , Problem(std::move(plan.problem))
     , Cumulative(std::move(this->Problem.position.weights))
     , AdaptiveFactors(Vector::Ones(this->Mesh.GetPoints().rows()))
@@ -103,11 +90,12 @@ private:
 
   Index CountRolledBack() const;
 
-  /// Bound of the Hausdorff distance to the accepted mesh: what is certified, or the largest
-  /// displacement if that is smaller.
+  /// Bound of the Hausdorff distance of reference and accepted mesh: what is certified; where the
+  /// mesh itself is the reference, the largest displacement if that is smaller.
   double Bound() const;
 
   const MeshQuantities& Mesh;
+  const RunPlan& Plan;
   const OptimizerOptions& Options;
   const FeatureLines& Features;
   const double Distance; ///< allowed
@@ -248,8 +236,8 @@ Index Passes::CountRolledBack() const
   Index count = 0;
   for (Index i = 0; i < this->Size(); ++i)
   {
-    count +=
-      this->Problem.constraints.freedom[i] != DisplacementConstraints::FIXED && this->Share[i] < 1;
+    const bool isFree = this->Problem.constraints.freedom[i] != DisplacementConstraints::FIXED;
+    count += isFree && this->Share[i] < 1;
   }
   return count;
 }
@@ -257,10 +245,14 @@ Index Passes::CountRolledBack() const
 double Passes::Bound() const
 {
   const double certified = this->Guard.GetBound();
+  if (this->Plan.reference)
+  {
+    return certified + DistanceRoundOff(this->Mesh, this->Plan);
+  }
   const double displacement = LargestDisplacement(
     this->Mesh.GetPoints(), this->Guard.GetAccepted(), this->Mesh.GetSubdomain());
   return displacement > 0 && certified > 0
-           ? std::min(certified + RoundOff(this->Mesh.GetBox()), displacement)
+           ? std::min(certified + DistanceRoundOff(this->Mesh, this->Plan), displacement)
            : 0;
 }
 
@@ -271,6 +263,8 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
   {
     for (int pass = 0; pass < passes; ++pass)
     {
+      monitor.Begin(
+        ("Pass " + std::to_string(pass + 1) + " of " + std::to_string(passes)).c_str());
       PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
       const Solution solution = this->Propose(part);
       result.iterations += solution.iterations;
@@ -291,6 +285,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     }
     if (this->Options.deviation.improveWorstTriangles)
     {
+      monitor.Begin("Improving the worst triangles");
       ImproveWorstTriangles(
         this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.constraints,
         [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
@@ -301,6 +296,11 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     result.isCancelled = true;
   }
   result.positions = this->Guard.GetAccepted();
+  result.deviation.beyond = this->Guard.CountBeyond();
+  result.deviation.pinnedBad = CountPinnedBad(
+    this->Mesh.GetTriangles(), this->Guard.GetAcceptedQuality(), this->Problem.constraints);
+  result.intersections = ReportIntersections(this->Guard.GetInputPairs(),
+    this->Guard.FindAcceptedPairs(), static_cast<Index>(this->Mesh.GetTriangles().rows()));
   result.deviation.bound = this->Bound();
   result.deviation.relativeBound =
     result.deviation.bound > 0 ? result.deviation.bound / this->Mesh.GetDiagonal() : 0;

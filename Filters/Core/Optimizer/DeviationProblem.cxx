@@ -6,6 +6,7 @@
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace lmo
@@ -14,6 +15,7 @@ namespace
 {
 constexpr double PositionScale = 0.05; ///< s
 constexpr double LeastPositionWeight = 1e-4;
+constexpr double BadQuality = 0.45;
 constexpr double GoodQuality = 0.5; ///< t from which a vertex has its full weight
 
 /// Vertices of high valence and their neighbours stay: thousands of triangles that meet in a point
@@ -35,6 +37,29 @@ void FixHighValenceVertices(const Triangles& triangles, const MeshTopology& topo
     }
   }
 }
+}
+
+ReferenceSurface ReferenceOf(const MeshQuantities& mesh, const RunPlan& plan)
+{
+  const MeshQuantities& surface = plan.reference ? *plan.reference : mesh;
+  return { surface.GetPoints(), surface.GetTriangles(), surface.GetTopology() };
+}
+
+double DistanceRoundOff(const MeshQuantities& mesh, const RunPlan& plan)
+{
+  constexpr double factor = 8 * std::numeric_limits<double>::epsilon();
+  const Eigen::AlignedBox3d box =
+    plan.reference ? mesh.GetBox().merged(plan.reference->GetBox()) : mesh.GetBox();
+  return box.isEmpty()
+           ? 0
+           : factor * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+}
+
+double LargestDistance(const MeshQuantities& mesh, const RunPlan& plan)
+{
+  const DeviationOptions& deviation = plan.options.deviation;
+  const double distance = deviation.maximum * (deviation.isAbsolute ? 1 : mesh.GetDiagonal());
+  return std::max(distance - DistanceRoundOff(mesh, plan), 0.0);
 }
 
 LeastSquaresProblem SetUpTangentialProblem(
@@ -88,6 +113,20 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
     });
   problem.laplacian.target = std::move(target);
   constraints.RestrictAxes();
+}
+
+Index CountPinnedBad(const Triangles& triangles, const Vector& triangleQuality,
+  const DisplacementConstraints& constraints)
+{
+  Index count = 0;
+  for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
+  {
+    const auto corners = triangles.row(t);
+    count += triangleQuality[t] < BadQuality &&
+             std::all_of(corners.begin(), corners.end(), [&](Index i)
+               { return constraints.freedom[i] == DisplacementConstraints::FIXED; });
+  }
+  return count;
 }
 
 void SetPositionWeights(const MeshQuantities& mesh, const Vector& cumulative,

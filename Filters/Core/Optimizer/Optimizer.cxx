@@ -35,7 +35,8 @@ void SetDisplacements(const Points& V, const OptimizerOptions& options, Optimize
 
 /// Adds to a mode's result what all modes return.
 OptimizerResult Complete(
-  const CotangentQuantities& quantities, const RunPlan& plan, ModeResult modeResult)
+  const CotangentQuantities& quantities, const RunPlan& plan, ModeResult modeResult,
+  ProgressMonitor& monitor)
 {
   const MeshQuantities& mesh = quantities.GetMesh();
   const Points& V = mesh.GetPoints();
@@ -55,6 +56,11 @@ OptimizerResult Complete(
   if (plan.options.mode == Mode::SMOOTH || plan.options.mode == Mode::SMOOTH_GUIDED)
   {
     result.volumeLoss = MeasureVolumeLoss(mesh, result.positions);
+  }
+  if (plan.options.checkSelfIntersections && !result.intersections.isKnown)
+  {
+    result.intersections =
+      CompareIntersections(V, result.positions, T, mesh.GetTopology(), monitor);
   }
   return result;
 }
@@ -116,6 +122,6 @@ OptimizerResult Optimizer::Run(
   {
     monitor.Begin("Comparing the surfaces");
   }
-  return Complete(quantities, plan, std::move(result));
+  return Complete(quantities, plan, std::move(result), monitor);
 }
 }

@@ -3,9 +3,10 @@
 #ifndef lmo_OptimizerOptions_h
 #define lmo_OptimizerOptions_h
 
-#include "Core/Operators/Laplacian.h"
+#include "Core/Operators/MeshQuantities.h"
 #include "Core/Solvers/SolverOptions.h"
 
+#include <memory>
 #include <optional>
 
 namespace lmo
@@ -88,11 +89,12 @@ struct OptimizerOptions
   Vector3 freeAxes = Vector3::Ones(); ///< 1 for each of x, y and z that may change, else 0
   bool preserveVolume = false;
   bool twicing = false;
+  bool checkSelfIntersections = false; ///< in modes that do not prevent them
   bool computeNormals = false; ///< fill OptimizerResult::normals
   bool roundToFloat = false;   ///< round V' as the caller will, so that all metrics fit it
 };
 
-/// Values that the user may give for each vertex, and one for each triangle.
+/// What the user may give beside the mesh: values for each vertex and each triangle, and a surface.
 struct VertexArrays
 {
   std::optional<Vector> positionWeights;      ///< W_p or anchors, from 0 to LargestWeight
@@ -101,6 +103,7 @@ struct VertexArrays
   std::optional<Vector> fixedPoints;          ///< not 0: does not move
   std::optional<Vector> featurePoints;        ///< not 0: on a feature line or corner
   std::optional<TriangleLabels> labels;       ///< feature lines are between different ones
+  std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
 };
 }
 

@@ -197,6 +197,16 @@ DisplacementConstraints ChooseConstraints(const MeshTopology& topology,
   return constraints;
 }
 
+/// True if the reference is the mesh as it is.
+bool IsOfMesh(const std::shared_ptr<const MeshQuantities>& reference, const MeshQuantities& mesh)
+{
+  const Points& V = mesh.GetPoints();
+  const Triangles& T = mesh.GetTriangles();
+  return reference && reference->GetPoints().rows() == V.rows() &&
+         reference->GetTriangles().rows() == T.rows() && reference->GetPoints() == V &&
+         reference->GetTriangles() == T;
+}
+
 /// Eqn. 11 for the options.
 LeastSquaresProblem SetUpProblem(const CotangentQuantities& quantities, LaplacianType type,
   const OptimizerOptions& options, const VertexArrays& arrays,
@@ -250,6 +260,7 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
     plan.problem = SetUpTangentialProblem(
       mesh, ChooseConstraints(mesh.GetTopology(), options, arrays, plan.lines));
     plan.problem.position.weights = quantities.GetCumulativeWeights();
+    plan.reference = IsOfMesh(arrays.reference, mesh) ? nullptr : arrays.reference;
   }
   else
   {

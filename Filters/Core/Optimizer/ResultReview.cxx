@@ -232,6 +232,25 @@ VolumeLoss VolumeLossOfWhole(const SurfaceComparison& comparison)
   return loss;
 }
 
+std::string WarnOfIntersections(const IntersectionReport& report)
+{
+  return report.added == 0
+           ? std::string()
+           : Counted(report.added, "pair of triangles meets", "pairs of triangles meet") +
+               " that did not before. Choose OPTIMIZE_WITHIN_DEVIATION, which prevents that, or a "
+               "larger ScaleFactor.";
+}
+
+std::string WarnOfBeyond(Index triangles)
+{
+  return triangles == 0
+           ? std::string()
+           : Counted(triangles, "triangle", "triangles") +
+               " of the surface and of its Reference began farther apart than MaximumDeviation. "
+               "They did not move farther apart. Raise MaximumDeviation, or connect the Reference "
+               "that the surface comes from.";
+}
+
 std::string WarnOfUnpreserved(Index volumes)
 {
   return volumes == 0

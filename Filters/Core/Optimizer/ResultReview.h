@@ -3,6 +3,7 @@
 #ifndef lmo_ResultReview_h
 #define lmo_ResultReview_h
 
+#include "Core/Deviation/SelfIntersections.h"
 #include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Mesh/DisplacementConstraints.h"
 #include "Core/Operators/MeshQuantities.h"
@@ -37,6 +38,14 @@ std::string WarnOfFreedom(const VertexFreedom& freedom);
 
 /// Says how many volumes could not be preserved, and the remedy. Empty if there are none.
 std::string WarnOfUnpreserved(Index volumes);
+
+/// Says how many pairs of triangles meet that did not before, and the remedy. Empty if there are
+/// none.
+std::string WarnOfIntersections(const IntersectionReport& report);
+
+/// Says how many triangles began farther away than allowed, and the remedy. Empty if there are none.
+/// \param triangles of the surface and of its reference
+std::string WarnOfBeyond(Index triangles);
 
 /// A component that changed its volume by more is worth a warning.
 constexpr double LargestVolumeChange = 0.1;

@@ -3,6 +3,7 @@
 #ifndef lmo_RunPlan_h
 #define lmo_RunPlan_h
 
+#include "Core/Deviation/SelfIntersections.h"
 #include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Mesh/FeatureLines.h"
 #include "Core/Operators/CotangentWeights.h"
@@ -28,6 +29,7 @@ struct RunPlan
   Points start; ///< V with smoothed curves, which \a problem starts from; no rows if that is V
   EnclosedRegions regions; ///< whose volumes are preserved; none if that is not wanted
   VertexFreedom freedom;
+  std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
   LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
 };
@@ -37,8 +39,10 @@ struct DeviationReport
 {
   Index passes = 0;         ///< that moved the surface
   Index rolledBack = 0;     ///< vertices that the last pass moved less than its solution
-  double bound = 0;         ///< the Hausdorff distance of input and result is at most that
+  double bound = 0;         ///< the Hausdorff distance of result and reference is at most that
   double relativeBound = 0; ///< the same, divided by the diagonal of the bounding box
+  Index pinnedBad = 0; ///< triangles with t < 0.45 of which no corner may move
+  Index beyond = 0; ///< triangles of mesh and reference that began farther away than allowed
 };
 
 /// What a mode returns.
@@ -51,6 +55,7 @@ struct ModeResult
   double relativeResidual = 0;
   bool isConverged = true; ///< the residual is within the tolerance
   DeviationReport deviation;
+  IntersectionReport intersections;
   Index unpreservedVolumes = 0; ///< components or labels that enclose no volume to preserve
   bool isCancelled = false;     ///< the monitor asked to stop, and this is what there was by then
 };

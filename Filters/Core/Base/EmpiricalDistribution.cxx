@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Mesh/EmpiricalDistribution.h"
+#include "Core/Base/EmpiricalDistribution.h"
 
 #include "Core/Base/Threading.h"
 

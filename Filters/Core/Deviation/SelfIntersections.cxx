@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Core/Deviation/SelfIntersections.h"
+
+#include "Core/Base/Split.h"
+#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Mesh/TriangleSeparation.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace lmo
+{
+namespace
+{
+Eigen::AlignedBox3d BoxOf(const Points& V, const Triangles& T, Index t)
+{
+  const TriangleCorners corners = CornersOf(V, T, t);
+  return { corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose() };
+}
+
+/// Appends the pairs that search(k, pairs) finds for every k in [0, count), in this order.
+template <typename Search>
+void Collect(
+  Index count, ProgressMonitor& monitor, std::vector<TrianglePair>& pairs, const Search& search)
+{
+  std::vector<std::vector<TrianglePair>> found(count);
+  InterruptibleFor(count, monitor, [&](Index k) { search(k, found[k]); });
+  for (const std::vector<TrianglePair>& more : found)
+  {
+    pairs.insert(pairs.end(), more.begin(), more.end());
+  }
+}
+}
+
+SelfIntersections::SelfIntersections(const Triangles& triangles, const MeshTopology& topology)
+  : T(triangles)
+  , Topology(topology)
+  , Listed(static_cast<Index>(triangles.rows()))
+  , ListedVertices(topology.vertices)
+{
+}
+
+bool SelfIntersections::HasHighValence(Index t) const
+{
+  return this->Topology.HasHighValence(this->T(t, 0)) ||
+         this->Topology.HasHighValence(this->T(t, 1)) ||
+         this->Topology.HasHighValence(this->T(t, 2));
+}
+
+bool SelfIntersections::HaveCommonVertex(Index s, Index t) const
+{
+  const auto isOfS = [&](Index i)
+  { return i == this->T(s, 0) || i == this->T(s, 1) || i == this->T(s, 2); };
+  return isOfS(this->T(t, 0)) || isOfS(this->T(t, 1)) || isOfS(this->T(t, 2));
+}
+
+void SelfIntersections::FindAtVertices(
+  const Points& V, ProgressMonitor& monitor, std::vector<TrianglePair>& pairs) const
+{
+  std::vector<Index> vertices = this->ListedVertices.Get();
+  const std::vector<Index> open = Split(vertices, monitor,
+    [&](Index i)
+    { return !this->Topology.HasHighValence(i) && !IsFlatFan(V, this->T, this->Topology, i); });
+  const Mask& isListed = this->Listed.GetMask();
+  Collect(static_cast<Index>(open.size()), monitor, pairs,
+    [&](Index k, std::vector<TrianglePair>& found)
+    {
+      const auto corners = this->Topology.cornersAt[open[k]];
+      for (auto first = corners.begin(); first != corners.end(); ++first)
+      {
+        for (auto second = first + 1; second != corners.end(); ++second)
+        {
+          const Index s = std::min(*first, *second) / 3;
+          const Index t = std::max(*first, *second) / 3;
+          if ((isListed[s] || isListed[t]) && !AreSeparate(V, this->T, s, t))
+          {
+            found.push_back({ s, t });
+          }
+        }
+      }
+    });
+}
+
+void SelfIntersections::FindApart(const Points& V, const TriangleBvh& tree,
+  ProgressMonitor& monitor, std::vector<TrianglePair>& pairs) const
+{
+  const std::vector<Index>& list = this->Listed.Get();
+  const Mask& isListed = this->Listed.GetMask();
+  Collect(static_cast<Index>(list.size()), monitor, pairs,
+    [&](Index k, std::vector<TrianglePair>& found)
+    {
+      const Index s = list[k];
+      if (IsDegenerate(this->T, s))
+      {
+        return;
+      }
+      const Eigen::AlignedBox3d box = BoxOf(V, this->T, s);
+      const bool hasHighValence = this->HasHighValence(s);
+      tree.ForEachNear(box,
+        [&](Index t)
+        {
+          const bool isOther = t > s || (t < s && !isListed[t]);
+          if (isOther && box.intersects(BoxOf(V, this->T, t)) && !this->HaveCommonVertex(s, t) &&
+              !(hasHighValence && this->HasHighValence(t)) && !AreSeparate(V, this->T, s, t))
+          {
+            found.push_back({ std::min(s, t), std::max(s, t) });
+          }
+        });
+    });
+}
+
+std::vector<TrianglePair> SelfIntersections::Find(const Points& V, const std::vector<Index>& list,
+  const TriangleBvh& tree, ProgressMonitor& monitor)
+{
+  this->Listed.Add(list);
+  for (const Index t : list)
+  {
+    this->ListedVertices.Add(this->T(t, 0));
+    this->ListedVertices.Add(this->T(t, 1));
+    this->ListedVertices.Add(this->T(t, 2));
+  }
+  std::vector<TrianglePair> pairs;
+  this->FindAtVertices(V, monitor, pairs);
+  this->FindApart(V, tree, monitor, pairs);
+  this->Listed.Clear();
+  this->ListedVertices.Clear();
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
+std::vector<TrianglePair> SelfIntersections::FindAll(
+  const Points& V, const TriangleBvh& tree, ProgressMonitor& monitor)
+{
+  std::vector<Index> all(this->T.rows());
+  std::iota(all.begin(), all.end(), Index(0));
+  return this->Find(V, all, tree, monitor);
+}
+
+IntersectionReport ReportIntersections(const std::vector<TrianglePair>& before,
+  const std::vector<TrianglePair>& after, Index triangles)
+{
+  IntersectionReport report;
+  report.isKnown = true;
+  report.before = static_cast<std::int64_t>(before.size());
+  report.after = static_cast<std::int64_t>(after.size());
+  report.isIntersecting.assign(triangles, false);
+  for (const TrianglePair& pair : after)
+  {
+    report.added += !std::binary_search(before.begin(), before.end(), pair);
+    report.isIntersecting[pair.first] = report.isIntersecting[pair.second] = true;
+  }
+  return report;
+}
+
+IntersectionReport CompareIntersections(const Points& before, const Points& after,
+  const Triangles& triangles, const MeshTopology& topology, ProgressMonitor& monitor)
+{
+  SelfIntersections search(triangles, topology);
+  const auto find = [&](const Points& V)
+  { return search.FindAll(V, TriangleBvh(V, triangles, monitor), monitor); };
+  return ReportIntersections(find(before), find(after), static_cast<Index>(triangles.rows()));
+}
+}

@@ -1,0 +1,174 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A mesh that is optimized within a deviation of another surface. Distances are measured at a grid
+// of points over each triangle, to each triangle.
+#include "Checks.h"
+#include "CurvedSurfaces.h"
+#include "MeshFixtures.h"
+#include "MeshMeasures.h"
+
+#include "Core/Optimizer/Optimizer.h"
+
+#include <algorithm>
+
+using namespace lmo;
+
+namespace
+{
+constexpr double RoundOff = 1e-12;
+constexpr double Deviation = 0.02; ///< a length
+
+std::shared_ptr<const MeshQuantities> AsReference(const TestMesh& mesh)
+{
+  return std::make_shared<MeshQuantities>(mesh.V, mesh.T);
+}
+
+OptimizerResult Run(
+  const TestMesh& mesh, std::shared_ptr<const MeshQuantities> reference, double deviation)
+{
+  OptimizerOptions options;
+  options.deviation.maximum = deviation;
+  options.deviation.isAbsolute = true;
+  VertexArrays arrays;
+  arrays.reference = std::move(reference);
+  ProgressMonitor monitor;
+  return Optimize(mesh.V, mesh.T, options, arrays, monitor);
+}
+
+/// The largest distance of one surface to another, at a grid of points.
+double LargestDistance(const TestMesh& from, const TestMesh& to)
+{
+  double largest = 0;
+  for (Eigen::Index t = 0; t < from.T.rows(); ++t)
+  {
+    for (int i = 0; i <= GridSteps; ++i)
+    {
+      for (int j = 0; i + j <= GridSteps; ++j)
+      {
+        const Vector3 x = (i * from.V.row(from.T(t, 0)) + j * from.V.row(from.T(t, 1)) +
+                            (GridSteps - i - j) * from.V.row(from.T(t, 2))) /
+                          GridSteps;
+        largest = Larger(largest, DistanceToSurface(x, to));
+      }
+    }
+  }
+  return largest;
+}
+
+double LargestDistanceBothWays(const TestMesh& a, const TestMesh& b)
+{
+  return Larger(LargestDistance(a, b), LargestDistance(b, a));
+}
+
+/// A torus with thin triangles, and another tessellation of it that is near it.
+const TestMesh& Input()
+{
+  static const TestMesh mesh = WithThinTriangles(Torus(16, 8, 0.2), 4, 0.7);
+  return mesh;
+}
+
+const TestMesh& Reference()
+{
+  static const TestMesh mesh = Torus(23, 11, 0.3);
+  return mesh;
+}
+
+void CheckOtherSurface(Checks& c)
+{
+  const double before = LargestDistanceBothWays(Input(), Reference());
+  const double allowed = 1.2 * before;
+  const OptimizerResult result = Run(Input(), AsReference(Reference()), allowed);
+  const double after = LargestDistanceBothWays({ result.positions, Input().T }, Reference());
+  c.Equal("no triangle begins beyond the distance", result.deviation.beyond, 0);
+  c.Greater("the triangles get better", result.comparison.after.mean,
+    result.comparison.before->mean + 0.05);
+  c.AtMost("the surfaces stay within the distance allowed", after, allowed);
+  c.AtMost("they stay within the bound", after, result.deviation.bound + RoundOff);
+  c.AtMost("the bound is no more than the distance allowed", result.deviation.bound, allowed);
+  c.Equal("no triangle flips", result.comparison.flippedTriangles, 0);
+}
+
+void CheckItself(Checks& c)
+{
+  const OptimizerResult with = Run(Input(), AsReference(Input()), Deviation);
+  const OptimizerResult without = Run(Input(), nullptr, Deviation);
+  c.Error("a copy of the input as the reference is no reference at all",
+    MaximumDistance(with.positions, without.positions), RoundOff);
+}
+
+/// Distance to the first mesh after six runs, each on the result of the last.
+double DistanceAfterRuns(const std::shared_ptr<const MeshQuantities>& reference)
+{
+  TestMesh mesh = Input();
+  for (int run = 0; run < 6; ++run)
+  {
+    mesh.V = Run(mesh, reference, Deviation).positions;
+  }
+  return LargestDistanceBothWays(mesh, Input());
+}
+
+void CheckRepeated(Checks& c)
+{
+  c.AtMost("six runs with a reference stay within its distance",
+    DistanceAfterRuns(AsReference(Input())), Deviation);
+  c.Greater(
+    "six runs without it do not", DistanceAfterRuns(nullptr), Deviation);
+}
+
+void CheckSecondRun(Checks& c)
+{
+  const TestMesh mesh = WithThinTriangles(Torus(24, 10, 0.2), 4, 0.7);
+  const OptimizerResult first = Run(mesh, nullptr, Deviation);
+  const OptimizerResult second = Run({ first.positions, mesh.T }, AsReference(mesh), Deviation);
+  c.Error("the mode changes its own result by less than 1e-3 of the mean radius ratio",
+    std::abs(second.comparison.after.mean - first.comparison.after.mean), 1e-3);
+}
+
+void CheckBeyond(Checks& c)
+{
+  const TestMesh mesh = Transformed(Input(), 1.02);
+  const OptimizerResult result = Run(mesh, AsReference(Reference()), Deviation);
+  double excess = 0;
+  Index beyond = 0;
+  for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
+  {
+    const double before = DistanceToSurface(mesh.V.row(i), Reference());
+    const double after = DistanceToSurface(result.positions.row(i), Reference());
+    beyond += before > Deviation;
+    excess = Larger(excess, after - std::max(before, Deviation));
+  }
+  c.Greater("the input has points beyond the distance", beyond, 10);
+  c.Greater("triangles that begin beyond the distance are counted", result.deviation.beyond, 10);
+  c.Error("points that begin beyond the distance do not go farther", excess, RoundOff);
+  const double before = LargestDistanceBothWays(mesh, Reference());
+  const double after = LargestDistanceBothWays({ result.positions, mesh.T }, Reference());
+  c.AtMost("nor do the surfaces", after, 1.002 * before);
+  c.AtMost("the bound counts them", after, result.deviation.bound + RoundOff);
+  c.Greater("the triangles get better all the same", result.comparison.after.mean,
+    result.comparison.before->mean + 0.01);
+}
+
+void CheckFarAway(Checks& c)
+{
+  const TestMesh far = Transformed(Reference(), 1, { 50, 0, 0 });
+  const OptimizerResult result = Run(Input(), AsReference(far), Deviation);
+  c.Equal("all triangles may begin beyond the distance", result.deviation.beyond,
+    Input().T.rows() + far.T.rows());
+  c.AtMost("a reference far away keeps the surface from going farther",
+    LargestDistanceBothWays({ result.positions, Input().T }, far),
+    1.002 * LargestDistanceBothWays(Input(), far));
+}
+}
+
+int TestReference(int argc, char* argv[])
+{
+  Groups groups(argc, argv);
+  groups.Run("OtherSurface", CheckOtherSurface);
+  groups.Run("Itself", CheckItself);
+  groups.Run("Repeated", CheckRepeated);
+  groups.Run("SecondRun", CheckSecondRun);
+  groups.Run("Beyond", CheckBeyond);
+  groups.Run("FarAway", CheckFarAway);
+  return groups.Result();
+}
