@@ -291,12 +291,13 @@ public:
 
   ///@{
   /**
-   * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the input:
-   * the surface that the input was made from by remeshing, or by earlier runs, whose errors add up
-   * otherwise. Its triangles should face the same side as those of the input. What begins farther
-   * away than MaximumDeviation does not move farther away; a warning counts these triangles. With
-   * InterpolatePointData the output gets the point data and field data that the reference has and
-   * the input has not. Other modes do not use it. Without triangles it is an error.
+   * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the
+   * input: the surface that the input was made from by remeshing, or by earlier runs, whose errors
+   * add up otherwise. Its triangles should face the same side as those of the input. What begins
+   * farther away than MaximumDeviation does not move farther away; a warning counts these
+   * triangles. With InterpolatePointData the output gets the point data and field data that the
+   * reference has and the input has not. Other modes do not use it. Without triangles it is an
+   * error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
   void SetReferenceData(vtkPolyData* reference);

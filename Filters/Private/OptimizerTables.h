@@ -89,8 +89,6 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("DetailWeight", filter.DetailWeight, positiveWeight, options.guide.detailWeight);
     row("PreserveVolume", filter.PreserveVolume, Switch{}, options.preserveVolume);
     row("Twicing", filter.Twicing, Switch{}, options.twicing);
-    row("CheckSelfIntersections", filter.CheckSelfIntersections, Switch{},
-      options.checkSelfIntersections);
     row("FeatureSmoothing", filter.FeatureSmoothing, Switch{}, options.featureSmoothing);
     row("FreeAxes", filter.FreeAxes[0], Switch{}, options.freeAxes[0]);
     row("FreeAxes", filter.FreeAxes[1], Switch{}, options.freeAxes[1]);
@@ -98,6 +96,8 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("ComputeNormals", filter.ComputeNormals, Switch{});
     row("InterpolatePointData", filter.InterpolatePointData, Switch{});
     row("WeldCoincidentPoints", filter.WeldCoincidentPoints, Switch{});
+    row("CheckSelfIntersections", filter.CheckSelfIntersections, Switch{},
+      options.checkSelfIntersections);
     row("DiagnosticArrays", filter.DiagnosticArrays, Switch{});
   }
 

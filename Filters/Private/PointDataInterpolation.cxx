@@ -141,8 +141,8 @@ struct PlacesOnSurface
       [&](Index i)
       {
         const Index closest = tree.FindClosest(positions.row(i)).triangle;
-        this->locations[i] = WalkToClosestPoint(this->V, this->triangles, this->cornersAt,
-          this->triangles(closest, 0), positions.row(i));
+        this->locations[i] = WalkToClosestPoint(
+          this->V, this->triangles, this->cornersAt, this->triangles(closest, 0), positions.row(i));
       });
   }
 

@@ -117,9 +117,9 @@ bool EdgesMeet(const TestMesh& mesh, Index s, Index t)
     const Integers to = IntegerPoint(mesh, mesh.T(s, (k + 1) % 3));
     for (const Cut& x : CutsOf(from, to, triangle))
     {
-      const bool isCommon =
-        std::any_of(common.begin(), common.end(), [&](const Integers& i) { return IsCornerOf(x, i); }) ||
-        (common.size() == 2 && IsOnEdge(x, common[0], common[1]));
+      const bool isCommon = std::any_of(common.begin(), common.end(),
+                              [&](const Integers& i) { return IsCornerOf(x, i); }) ||
+                            (common.size() == 2 && IsOnEdge(x, common[0], common[1]));
       if (x.denominator != 0 && !isCommon && IsOnEdge(x, from, to) && IsInside(x, triangle))
       {
         return true;

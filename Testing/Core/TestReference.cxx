@@ -112,8 +112,7 @@ void CheckRepeated(Checks& c)
 {
   c.AtMost("six runs with a reference stay within its distance",
     DistanceAfterRuns(AsReference(Input())), Deviation);
-  c.Greater(
-    "six runs without it do not", DistanceAfterRuns(nullptr), Deviation);
+  c.Greater("six runs without it do not", DistanceAfterRuns(nullptr), Deviation);
 }
 
 void CheckSecondRun(Checks& c)

@@ -241,8 +241,8 @@ void CheckReport(Checks& c)
   {
     isExpected[s] = isExpected[t] = true;
   }
-  c.Equal("the triangles that meet others are marked", result.intersections.isIntersecting,
-    isExpected);
+  c.Equal(
+    "the triangles that meet others are marked", result.intersections.isIntersecting, isExpected);
   OptimizerOptions options;
   options.mode = Mode::SMOOTH;
   options.positionWeighting = PositionWeighting::CONSTANT;

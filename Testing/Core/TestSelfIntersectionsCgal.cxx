@@ -64,8 +64,8 @@ TestMesh Layers(double height, double frequency, double gap)
 
 void CheckLayers(Checks& c)
 {
-  for (const auto& [mesh, deviation] :
-    { std::make_pair(Layers(0.02, 25, 0.001), 0.005), std::make_pair(Layers(0.01, 60, 0.003), 0.005) })
+  for (const auto& [mesh, deviation] : { std::make_pair(Layers(0.02, 25, 0.001), 0.005),
+         std::make_pair(Layers(0.01, 60, 0.003), 0.005) })
   {
     OptimizerOptions options;
     options.deviation.maximum = deviation;

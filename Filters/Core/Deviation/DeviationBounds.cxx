@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Deviation/DeviationBounds.h"
 
-#include "Core/Base/Threading.h"
 #include "Core/Base/Split.h"
+#include "Core/Base/Threading.h"
 #include "Core/Mesh/TriangleGeometry.h"
 
 #include <algorithm>
@@ -38,7 +38,9 @@ DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMe
     this->CertifyBeginning(monitor);
   }
   ParallelFor(static_cast<Index>(mesh.T.rows()),
-    [this](Index t) { this->Overlays[t] = { this->GetCentre(t), this->ToReference.Get(t).heights }; });
+    [this](Index t) {
+      this->Overlays[t] = { this->GetCentre(t), this->ToReference.Get(t).heights };
+    });
 }
 
 void DeviationBounds::CertifyBeginning(ProgressMonitor& monitor)

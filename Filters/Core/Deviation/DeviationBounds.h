@@ -64,10 +64,7 @@ public:
   }
 
   /// Number of triangles that began beyond the distance, in both directions.
-  Index CountBeyond() const
-  {
-    return this->LimitsOfMesh.Count() + this->LimitsOfReference.Count();
-  }
+  Index CountBeyond() const { return this->LimitsOfMesh.Count() + this->LimitsOfReference.Count(); }
 
   /// Heights of the reference over an accepted triangle.
   const HeightRange& GetHeights(Index t) const { return this->Overlays[t].heights; }
@@ -106,7 +103,8 @@ private:
   /// Certifies where a mesh begins that is not the reference itself.
   void CertifyBeginning(ProgressMonitor& monitor);
 
-  /// Keeps the accepted certificate of a triangle of the reference, if it needs none that has moved.
+  /// Keeps the accepted certificate of a triangle of the reference, if it needs none that has
+  /// moved.
   /// \return whether it is kept
   bool KeepUnmoved(Index t);
 

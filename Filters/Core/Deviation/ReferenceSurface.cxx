@@ -67,8 +67,8 @@ DistanceLimits CertifyInput(DeviationCertificates& certificates, const SurfaceVi
       InterruptibleFor(static_cast<Index>(open.size()), monitor,
         [&](Index k)
         {
-          base[open[k]] = std::max(
-            distance, LargestSampledDistance(CornersOf(from.V, from.T, open[k]), tree));
+          base[open[k]] =
+            std::max(distance, LargestSampledDistance(CornersOf(from.V, from.T, open[k]), tree));
         });
     }
     for (const Index t : open)
@@ -96,15 +96,12 @@ VertexLimits::VertexLimits(
   : Squared(V.rows())
 {
   InterruptibleFor(static_cast<Index>(V.rows()), monitor,
-    [&](Index i)
-    {
-      this->Squared[i] =
-        std::max(distance * distance, tree.FindClosest(V.row(i)).squaredDistance);
+    [&](Index i) {
+      this->Squared[i] = std::max(distance * distance, tree.FindClosest(V.row(i)).squaredDistance);
     });
 }
 
-bool VertexLimits::IsExceeded(
-  Index vertex, const Vector3& position, const TriangleBvh& tree) const
+bool VertexLimits::IsExceeded(Index vertex, const Vector3& position, const TriangleBvh& tree) const
 {
   return !this->Squared.empty() &&
          tree.FindClosest(position).squaredDistance > (1 + RoundOff) * this->Squared[vertex];

@@ -39,8 +39,7 @@ public:
 
   /// \param tree of the reference
   /// \throw Cancelled if the monitor says so.
-  VertexLimits(
-    const Points& V, const TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+  VertexLimits(const Points& V, const TriangleBvh& tree, double distance, ProgressMonitor& monitor);
 
   /// True if a vertex would be farther away than it may be.
   bool IsExceeded(Index vertex, const Vector3& position, const TriangleBvh& tree) const;

@@ -138,8 +138,8 @@ std::vector<TrianglePair> SelfIntersections::FindAll(
   return this->Find(V, all, tree, monitor);
 }
 
-IntersectionReport ReportIntersections(const std::vector<TrianglePair>& before,
-  const std::vector<TrianglePair>& after, Index triangles)
+IntersectionReport ReportIntersections(
+  const std::vector<TrianglePair>& before, const std::vector<TrianglePair>& after, Index triangles)
 {
   IntersectionReport report;
   report.isKnown = true;

@@ -15,9 +15,9 @@ namespace lmo
 /// Two triangles, the lower index first.
 using TrianglePair = std::pair<Index, Index>;
 
-/// Finds the pairs of triangles of a mesh that meet elsewhere than in the vertices and the edge that
-/// they share. Pairs that are too close to be told from these count with them; a pair of which both
-/// triangles have a corner of high valence is left out.
+/// Finds the pairs of triangles of a mesh that meet elsewhere than in the vertices and the edge
+/// that they share. Pairs that are too close to be told from these count with them; a pair of which
+/// both triangles have a corner of high valence is left out.
 class SelfIntersections
 {
 public:
@@ -64,8 +64,8 @@ struct IntersectionReport
 
 /// \param before pairs in ascending order
 /// \param after the same
-IntersectionReport ReportIntersections(const std::vector<TrianglePair>& before,
-  const std::vector<TrianglePair>& after, Index triangles);
+IntersectionReport ReportIntersections(
+  const std::vector<TrianglePair>& before, const std::vector<TrianglePair>& after, Index triangles);
 
 /// Looks for the pairs of a mesh with the positions \a before and \a after.
 /// \throw Cancelled if the monitor says so.

@@ -86,9 +86,9 @@ private:
   const Triangles& T;
   const MeshTopology& Topology;
   const Triangles& Neighbours;
-  const Points OriginalNormals;  ///< what NormalsToKeep() returned
+  const Points OriginalNormals; ///< what NormalsToKeep() returned
   const Points ReferenceNormals;
-  Points AcceptedNormals;        ///< of the triangles
+  Points AcceptedNormals; ///< of the triangles
   Points Normals;
   Vector AcceptedQuality;
   Vector Quality;

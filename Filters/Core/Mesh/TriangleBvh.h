@@ -44,8 +44,8 @@ public:
   /// The triangle closest to x, at any distance; triangle -1 if there are no triangles.
   Hit FindClosest(const Vector3& x) const;
 
-  /// Calls visit(triangle) for the triangles of all leaves whose boxes meet a box: for each triangle
-  /// that meets it, and for others.
+  /// Calls visit(triangle) for the triangles of all leaves whose boxes meet a box: for each
+  /// triangle that meets it, and for others.
   template <typename Visit>
   void ForEachNear(const Eigen::AlignedBox3d& box, const Visit& visit) const
   {

@@ -49,10 +49,8 @@ bool Separates(const Vector3& axis, const Pair& pair)
 /// Two triangles without a common corner: if they do not meet, one of these axes separates them.
 bool AreApart(const Pair& pair)
 {
-  const Vector3 edgesA[3] = { pair.a[1] - pair.a[0], pair.a[2] - pair.a[1],
-    pair.a[0] - pair.a[2] };
-  const Vector3 edgesB[3] = { pair.b[1] - pair.b[0], pair.b[2] - pair.b[1],
-    pair.b[0] - pair.b[2] };
+  const Vector3 edgesA[3] = { pair.a[1] - pair.a[0], pair.a[2] - pair.a[1], pair.a[0] - pair.a[2] };
+  const Vector3 edgesB[3] = { pair.b[1] - pair.b[0], pair.b[2] - pair.b[1], pair.b[0] - pair.b[2] };
   const Vector3 normalA = edgesA[0].cross(edgesA[1]);
   const Vector3 normalB = edgesB[0].cross(edgesB[1]);
   if (Separates(normalA, pair) || Separates(normalB, pair))
@@ -89,8 +87,8 @@ bool AreConesApart(const Vector3& p, const Vector3& q, const Vector3& r, const V
     -s.stableNormalized() };
   for (int k = 0; k < 4; ++k)
   {
-    const Vector3 normal = ClosestPointOnTriangle(
-      Vector3::Zero(), tips[k], tips[(k + 1) % 4], tips[(k + 2) % 4]);
+    const Vector3 normal =
+      ClosestPointOnTriangle(Vector3::Zero(), tips[k], tips[(k + 1) % 4], tips[(k + 2) % 4]);
     const double least = std::min(
       { normal.dot(tips[0]), normal.dot(tips[1]), normal.dot(tips[2]), normal.dot(tips[3]) });
     if (least > Margin * normal.norm())
@@ -127,8 +125,7 @@ bool AreSeparate(const Points& V, const Triangles& triangles, Index s, Index t)
   for (int k = 0; k < 3; ++k)
   {
     const Index i = triangles(s, k);
-    const bool isShared =
-      i == triangles(t, 0) || i == triangles(t, 1) || i == triangles(t, 2);
+    const bool isShared = i == triangles(t, 0) || i == triangles(t, 1) || i == triangles(t, 2);
     (isShared ? common[shared++] : othersOfS[restOfS++]) = i;
   }
   int restOfT = 0;
@@ -149,8 +146,7 @@ bool AreSeparate(const Points& V, const Triangles& triangles, Index s, Index t)
   }
   if (shared == 1 && restOfS == 2 && restOfT == 2)
   {
-    return AreConesApart(
-      at(othersOfS[0]), at(othersOfS[1]), at(othersOfT[0]), at(othersOfT[1]));
+    return AreConesApart(at(othersOfS[0]), at(othersOfS[1]), at(othersOfT[0]), at(othersOfT[1]));
   }
   return shared == 2 && restOfS == 1 && restOfT == 1 &&
          AreWingsApart(at(common[1]), at(othersOfS[0]), at(othersOfT[0]));

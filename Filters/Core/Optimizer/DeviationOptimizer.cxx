@@ -263,8 +263,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
   {
     for (int pass = 0; pass < passes; ++pass)
     {
-      monitor.Begin(
-        ("Pass " + std::to_string(pass + 1) + " of " + std::to_string(passes)).c_str());
+      monitor.Begin(("Pass " + std::to_string(pass + 1) + " of " + std::to_string(passes)).c_str());
       PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
       const Solution solution = this->Propose(part);
       result.iterations += solution.iterations;

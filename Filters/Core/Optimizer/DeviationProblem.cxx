@@ -123,8 +123,8 @@ Index CountPinnedBad(const Triangles& triangles, const Vector& triangleQuality,
   {
     const auto corners = triangles.row(t);
     count += triangleQuality[t] < BadQuality &&
-             std::all_of(corners.begin(), corners.end(), [&](Index i)
-               { return constraints.freedom[i] == DisplacementConstraints::FIXED; });
+             std::all_of(corners.begin(), corners.end(),
+               [&](Index i) { return constraints.freedom[i] == DisplacementConstraints::FIXED; });
   }
   return count;
 }

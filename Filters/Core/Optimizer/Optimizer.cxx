@@ -34,9 +34,8 @@ void SetDisplacements(const Points& V, const OptimizerOptions& options, Optimize
 }
 
 /// Adds to a mode's result what all modes return.
-OptimizerResult Complete(
-  const CotangentQuantities& quantities, const RunPlan& plan, ModeResult modeResult,
-  ProgressMonitor& monitor)
+OptimizerResult Complete(const CotangentQuantities& quantities, const RunPlan& plan,
+  ModeResult modeResult, ProgressMonitor& monitor)
 {
   const MeshQuantities& mesh = quantities.GetMesh();
   const Points& V = mesh.GetPoints();

@@ -90,19 +90,19 @@ struct OptimizerOptions
   bool preserveVolume = false;
   bool twicing = false;
   bool checkSelfIntersections = false; ///< in modes that do not prevent them
-  bool computeNormals = false; ///< fill OptimizerResult::normals
-  bool roundToFloat = false;   ///< round V' as the caller will, so that all metrics fit it
+  bool computeNormals = false;         ///< fill OptimizerResult::normals
+  bool roundToFloat = false;           ///< round V' as the caller will, so that all metrics fit it
 };
 
 /// What the user may give beside the mesh: values for each vertex and each triangle, and a surface.
 struct VertexArrays
 {
-  std::optional<Vector> positionWeights;      ///< W_p or anchors, from 0 to LargestWeight
-  std::optional<Vector> laplacianWeights;     ///< W_L, from 0 to LargestWeight
-  std::optional<Points> prescribedLaplacians; ///< f
-  std::optional<Vector> fixedPoints;          ///< not 0: does not move
-  std::optional<Vector> featurePoints;        ///< not 0: on a feature line or corner
-  std::optional<TriangleLabels> labels;       ///< feature lines are between different ones
+  std::optional<Vector> positionWeights;           ///< W_p or anchors, from 0 to LargestWeight
+  std::optional<Vector> laplacianWeights;          ///< W_L, from 0 to LargestWeight
+  std::optional<Points> prescribedLaplacians;      ///< f
+  std::optional<Vector> fixedPoints;               ///< not 0: does not move
+  std::optional<Vector> featurePoints;             ///< not 0: on a feature line or corner
+  std::optional<TriangleLabels> labels;            ///< feature lines are between different ones
   std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
 };
 }

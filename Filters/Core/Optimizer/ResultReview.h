@@ -43,7 +43,8 @@ std::string WarnOfUnpreserved(Index volumes);
 /// none.
 std::string WarnOfIntersections(const IntersectionReport& report);
 
-/// Says how many triangles began farther away than allowed, and the remedy. Empty if there are none.
+/// Says how many triangles began farther away than allowed, and the remedy. Empty if there are
+/// none.
 /// \param triangles of the surface and of its reference
 std::string WarnOfBeyond(Index triangles);
 

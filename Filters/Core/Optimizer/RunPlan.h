@@ -41,7 +41,7 @@ struct DeviationReport
   Index rolledBack = 0;     ///< vertices that the last pass moved less than its solution
   double bound = 0;         ///< the Hausdorff distance of result and reference is at most that
   double relativeBound = 0; ///< the same, divided by the diagonal of the bounding box
-  Index pinnedBad = 0; ///< triangles with t < 0.45 of which no corner may move
+  Index pinnedBad = 0;      ///< triangles with t < 0.45 of which no corner may move
   Index beyond = 0; ///< triangles of mesh and reference that began farther away than allowed
 };
 
