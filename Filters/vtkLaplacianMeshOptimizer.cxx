@@ -56,8 +56,12 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   monitor->Begin("Reading the mesh");
   this->SetInput(input);
   lmo::VertexArrays arrays;
-  this->Try([&] { arrays = this->ReadArrays(input, inputs.selection); });
-  arrays.reference = this->ReadReference(inputs.reference);
+  this->Try(
+    [&]
+    {
+      arrays = this->ReadArrays(input, inputs.selection);
+      arrays.reference = this->ReadReference(inputs.reference);
+    });
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
   this->Warn(options, result);
@@ -73,8 +77,7 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   lmo::ResultArrays results;
   SetMetrics(this->Filter, result);
   this->WriteMetrics(result, results, output->GetFieldData());
-  this->AddDataOfReference(inputs.reference, result, output);
-  this->WritePoints(std::move(result), input, results, output);
+  this->WritePoints(std::move(result), inputs, results, output);
   results.Warn(this->Filter);
 }
 
@@ -103,11 +106,13 @@ void vtkLaplacianMeshOptimizer::Session::Warn(
 }
 
 void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result,
-  vtkPolyData* input, lmo::ResultArrays& results, vtkPolyData* output) const
+  const Inputs& inputs, lmo::ResultArrays& results, vtkPolyData* output) const
 {
+  vtkPolyData* input = inputs.surface;
   const lmo::MeshNumbering& numbering = this->Numbering;
   vtkPointData* pointData = output->GetPointData();
   this->WritePointData(result, input, pointData);
+  this->AddDataOfReference(inputs.reference, result, output);
   const auto add = [&](const char* name, auto& values)
   { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())

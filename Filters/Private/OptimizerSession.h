@@ -100,7 +100,7 @@ private:
   /// Says what the user should know of a result: what could not move and what got worse.
   void Warn(const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const;
 
-  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, lmo::ResultArrays& results,
+  void WritePoints(lmo::OptimizerResult result, const Inputs& inputs, lmo::ResultArrays& results,
     vtkPolyData* output) const;
 
   /// Cell normals of the new surface where the input has them.
