@@ -13,6 +13,8 @@
 #include "Private/ResultArrays.h"
 
 #include "vtkCellData.h"
+#include "vtkCommand.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -24,7 +26,6 @@
 #include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <type_traits>
 #include <utility>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -36,6 +37,8 @@ vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
 {
   this->SetNumberOfInputPorts(3);
+  this->AddObserver(vtkCommand::StartEvent, this, &vtkLaplacianMeshOptimizer::StartExecution);
+  this->AddObserver(vtkCommand::EndEvent, this, &vtkLaplacianMeshOptimizer::EndExecution);
 }
 
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
@@ -48,7 +51,8 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkLaplacianMeshOptimizer::M
 void vtkLaplacianMeshOptimizer::Session::Execute(
   const Inputs& inputs, vtkPolyData* output, int pieces)
 {
-  vtkPolyData* input = inputs.surface;
+  vtkPolyData* input = this->Surface.Of(inputs.data);
+  vtkPolyData* reference = this->SurfaceOfReference.Of(inputs.reference);
   this->CheckPieces(pieces);
   lmo::OptimizerOptions options;
   this->Try([&] { options = this->ReadOptions(input); });
@@ -59,8 +63,8 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   this->Try(
     [&]
     {
-      arrays = this->ReadArrays(input, inputs.selection);
-      arrays.reference = this->ReadReference(inputs.reference);
+      arrays = this->ReadArrays(input, this->SelectedPointsOf(inputs, input));
+      arrays.reference = this->ReadReference(reference);
     });
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
@@ -75,9 +79,9 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   }
   output->ShallowCopy(input);
   lmo::ResultArrays results;
-  SetMetrics(this->Filter, result);
+  this->AddMetrics(result);
   this->WriteMetrics(result, results, output->GetFieldData());
-  this->WritePoints(std::move(result), inputs, results, output);
+  this->WritePoints(std::move(result), input, reference, results, output);
   results.Warn(this->Filter);
 }
 
@@ -106,13 +110,12 @@ void vtkLaplacianMeshOptimizer::Session::Warn(
 }
 
 void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result,
-  const Inputs& inputs, lmo::ResultArrays& results, vtkPolyData* output) const
+  vtkPolyData* input, vtkPolyData* reference, lmo::ResultArrays& results, vtkPolyData* output) const
 {
-  vtkPolyData* input = inputs.surface;
   const lmo::MeshNumbering& numbering = this->Numbering;
   vtkPointData* pointData = output->GetPointData();
   this->WritePointData(result, input, pointData);
-  this->AddDataOfReference(inputs.reference, result, output);
+  this->AddDataOfReference(reference, result, output);
   const auto add = [&](const char* name, auto& values)
   { results.Add(pointData, lmo::MakeArray(name, std::move(values), numbering)); };
   if (input->GetPoints())
@@ -180,32 +183,6 @@ void vtkLaplacianMeshOptimizer::Session::WriteCellNormals(vtkPolyData* output) c
   }
 }
 
-void vtkLaplacianMeshOptimizer::Session::SetMetrics(
-  vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result)
-{
-  Tables::VisitMetrics(*filter, result,
-    [](const char*, auto& value, auto newValue, bool = true)
-    { value = static_cast<std::decay_t<decltype(value)>>(newValue); });
-}
-
-void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
-  const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const
-{
-  Tables::VisitMetrics(*this->Filter, result,
-    [&](const char* name, auto value, auto, bool isOfMode = true)
-    {
-      if (isOfMode)
-      {
-        results.Add(fieldData, lmo::MakeArray(name, static_cast<double>(value)));
-      }
-      else
-      {
-        // An earlier filter may have written it, for another surface.
-        lmo::ResultArrays::Remove(fieldData, name);
-      }
-    });
-}
-
 void vtkLaplacianMeshOptimizer::SetSelectionConnection(vtkAlgorithmOutput* selection)
 {
   this->SetInputConnection(1, selection);
@@ -221,20 +198,39 @@ void vtkLaplacianMeshOptimizer::SetReferenceConnection(vtkAlgorithmOutput* refer
   this->SetInputConnection(2, reference);
 }
 
-void vtkLaplacianMeshOptimizer::SetReferenceData(vtkPolyData* reference)
+void vtkLaplacianMeshOptimizer::SetReferenceData(vtkDataSet* reference)
 {
   this->SetInputData(2, reference);
 }
 
 int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkSelection" : "vtkDataSet");
+  if (port > 0)
   {
-    return this->Superclass::FillInputPortInformation(port, info);
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkSelection" : "vtkPolyData");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
+}
+
+void vtkLaplacianMeshOptimizer::StartExecution()
+{
+  if (this->ExecutionDepth++ == 0)
+  {
+    if (!this->State)
+    {
+      this->State = this->MakeSession();
+    }
+    this->State->Begin(this->GetInputDataObject(0, 0));
+  }
+}
+
+void vtkLaplacianMeshOptimizer::EndExecution()
+{
+  if (--this->ExecutionDepth == 0)
+  {
+    this->State->Begin(nullptr);
+  }
 }
 
 int vtkLaplacianMeshOptimizer::UpdateMetrics()
@@ -257,8 +253,8 @@ int vtkLaplacianMeshOptimizer::RequestInformation(
 int vtkLaplacianMeshOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const Session::Inputs inputs{ vtkPolyData::GetData(inputVector[0]),
-    vtkSelection::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]) };
+  const Session::Inputs inputs{ vtkDataSet::GetData(inputVector[0]),
+    vtkSelection::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[2]) };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* request = outputVector->GetInformationObject(0);
@@ -270,7 +266,7 @@ int vtkLaplacianMeshOptimizer::RequestData(
     this->State = this->MakeSession();
   }
   return lmo::RunFilter(
-    this, inputs.surface, output, [&] { this->State->Execute(inputs, output, pieces); });
+    this, inputs.data, output, [&] { this->State->Execute(inputs, output, pieces); });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

@@ -17,7 +17,7 @@
  * - Mode SMOOTH removes noise (section 6).
  * - Mode PRESCRIBED_LAPLACIANS takes f from a point array.
  * - Mode OPTIMIZE_WITHIN_DEVIATION makes the triangles as good as they can be within an error that
- *   you name, and guarantees that error.
+ *   you name, and guarantees that error; no triangles meet that did not meet before.
  * - Mode SMOOTH_GUIDED removes noise from shapes with flat faces and sharp edges.
  *
  * The paper's recommendations: for smooth models PositionWeighting CDF; for CAD models with sharp
@@ -30,15 +30,17 @@
  * one triangle in a thousand that turned by more than a right angle, more than a tenth of the
  * volume.
  *
- * Input: polygons and triangle strips; vertices and lines pass through and their points do not move
- * unless a polygon uses them too. Quads and larger polygons, which may be concave, have neighbours
- * along their edges only, and cotangents by virtual refinement (Bunge et al. 2020). Distances,
- * normals of triangles, volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which
- * the filter cuts them: quads along the diagonal that is inside, the shorter one if both are;
- * larger polygons as vtkPolygon does. Over several processes all is done on these triangles.
- * Points with
- * float coordinates give float coordinates, all others double. A composite data set is treated
- * block by block, each with statistics of its own. A surface in pieces on several processes needs
+ * Input: a vtkPolyData, or any other data set, whose surface is extracted with its data and with
+ * the arrays vtkOriginalPointIds and vtkOriginalCellIds: the cells that are a surface, and the
+ * outer faces of those that fill a volume. Of the surface, polygons and triangle strips are
+ * optimized; vertices and lines pass through and their points do not move unless a polygon uses
+ * them too. Quads and larger polygons, which may be concave, have neighbours along their edges
+ * only, and cotangents by virtual refinement (Bunge et al. 2020). Distances, normals of triangles,
+ * volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which the filter cuts them:
+ * quads along the diagonal that is inside, the shorter one if both are; larger polygons as
+ * vtkPolygon does. Over several processes all is done on these triangles. Points with float
+ * coordinates give float coordinates, all others double. A composite data set is treated block by
+ * block, each with statistics of its own. A surface in pieces on several processes needs
  * vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
  * VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
@@ -53,6 +55,8 @@
  *   `PositionWeight`, `LaplacianWeight`: the diagonals of W_p and W_L that the weighting schemes
  *   gave. `Displacement`: new minus old coordinates. With features also `FeatureClass`: 0 smooth, 1
  *   on a feature line, 2 corner; a boundary counts as a line where it slides.
+ * - Cell data `SelfIntersecting`, in OPTIMIZE_WITHIN_DEVIATION and with CheckSelfIntersections: 1
+ *   for cells that meet others elsewhere than in the points and the edge that they share, else 0.
  * - Field data, one value each: the metrics that the Get methods below return, under their names.
  * An array of the input that has one of these names is kept, and the result is then named
  * <name>Optimized; only results of the filters of this module are replaced by new ones.
@@ -71,7 +75,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
-class vtkPolyData;
+class vtkDataSet;
 class vtkSelection;
 
 class VTKFILTERSLAPLACIANMESH_EXPORT vtkLaplacianMeshOptimizer : public vtkPolyDataAlgorithm
@@ -282,8 +286,9 @@ public:
   /**
    * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
    * for its points. SelectionUse sets what happens to them. Points that FIXED_POINT_ARRAY or
-   * BoundaryCondition fixes do not move in either case. Selections that are queries, name blocks of
-   * a composite data set, or mix points and cells are errors.
+   * BoundaryCondition fixes do not move in either case. Of a composite data set, each block reads
+   * the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in another way, or
+   * mix points and cells are errors.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
   void SetSelectionData(vtkSelection* selection);
@@ -300,7 +305,7 @@ public:
    * error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
-  void SetReferenceData(vtkPolyData* reference);
+  void SetReferenceData(vtkDataSet* reference);
   ///@}
 
   ///@{
@@ -556,8 +561,9 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Like all metrics below, these are valid after Update(). They are -1 or 0 when the
-   * output is out of date, and those of the last block if the input is composite.
+   * triangles. Like all metrics below, these are valid after Update(), and are those of all blocks
+   * of a composite data set: means of all triangles, sums, and values of largest magnitude. They
+   * are -1 or 0 when the output is out of date.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);
@@ -710,10 +716,15 @@ protected:
   vtkIdType SelfIntersections = 0;
 
 private:
+  /// The executions of the blocks of a composite data set are nested in one that is for all.
+  void StartExecution();
+  void EndExecution();
+
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkLaplacianMeshOptimizer&) = delete;
 
   std::unique_ptr<Session> State;
+  int ExecutionDepth = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

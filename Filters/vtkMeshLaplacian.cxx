@@ -11,7 +11,9 @@
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
+#include "Private/SurfaceExtraction.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -107,14 +109,21 @@ void AddPrincipalCurvatures(const lmo::MeshQuantities& mesh, const lmo::Points& 
 }
 }
 
+int vtkMeshLaplacian::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
 int vtkMeshLaplacian::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataSet* data = vtkDataSet::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, input, output,
+  return lmo::RunFilter(this, data, output,
     [&]
     {
+      const vtkSmartPointer<vtkPolyData> input = lmo::SurfaceOf(data);
       lmo::SurfaceMesh surface = lmo::ReadMesh(input);
       if (this->WeldCoincidentPoints)
       {

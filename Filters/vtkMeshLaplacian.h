@@ -35,6 +35,9 @@
  * new ones are then named <name>Optimized, and a warning says so.
  *
  * @sa vtkLaplacianMeshOptimizer vtkCurvatures
+ *
+ * Inputs that are no vtkPolyData are taken for their surface: the cells that are one, and the outer
+ * faces of those that fill a volume.
  */
 #ifndef vtkMeshLaplacian_h
 #define vtkMeshLaplacian_h
@@ -96,6 +99,7 @@ protected:
   vtkMeshLaplacian() = default;
   ~vtkMeshLaplacian() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

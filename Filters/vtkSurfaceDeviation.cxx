@@ -7,7 +7,9 @@
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
+#include "Private/SurfaceExtraction.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -32,14 +34,14 @@ void vtkSurfaceDeviation::SetReferenceConnection(vtkAlgorithmOutput* reference)
   this->SetInputConnection(1, reference);
 }
 
-void vtkSurfaceDeviation::SetReferenceData(vtkPolyData* reference)
+void vtkSurfaceDeviation::SetReferenceData(vtkDataSet* reference)
 {
   this->SetInputData(1, reference);
 }
 
 int vtkSurfaceDeviation::FillInputPortInformation(int, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
   return 1;
 }
 
@@ -87,10 +89,11 @@ void vtkSurfaceDeviation::Compare(
 int vtkSurfaceDeviation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* surface = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* reference = vtkPolyData::GetData(inputVector[1]);
+  vtkDataSet* surface = vtkDataSet::GetData(inputVector[0]);
+  vtkDataSet* reference = vtkDataSet::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, surface, output, [&] { this->Compare(surface, reference, output); });
+  return lmo::RunFilter(this, surface, output,
+    [&] { this->Compare(lmo::SurfaceOf(surface), lmo::SurfaceOf(reference), output); });
 }
 
 void vtkSurfaceDeviation::PrintSelf(ostream& os, vtkIndent indent)

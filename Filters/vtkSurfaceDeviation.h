@@ -24,6 +24,9 @@
  * named <name>Optimized, and a warning says so.
  *
  * @sa vtkHausdorffDistancePointSetFilter
+ *
+ * Inputs that are no vtkPolyData are taken for their surface: the cells that are one, and the outer
+ * faces of those that fill a volume.
  */
 #ifndef vtkSurfaceDeviation_h
 #define vtkSurfaceDeviation_h
@@ -46,7 +49,7 @@ public:
    * The surface on port 1.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
-  void SetReferenceData(vtkPolyData* reference);
+  void SetReferenceData(vtkDataSet* reference);
 
   ///@{
   /**

@@ -6,7 +6,9 @@
 #include "Private/FilterSupport.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
+#include "Private/SurfaceExtraction.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -20,14 +22,21 @@ VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkTriangleRadiusRatio);
 
+int vtkTriangleRadiusRatio::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
 int vtkTriangleRadiusRatio::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataSet* data = vtkDataSet::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  return lmo::RunFilter(this, input, output,
+  return lmo::RunFilter(this, data, output,
     [&]
     {
+      const vtkSmartPointer<vtkPolyData> input = lmo::SurfaceOf(data);
       lmo::SurfaceMesh mesh = lmo::ReadMesh(input);
       if (this->WeldCoincidentPoints)
       {

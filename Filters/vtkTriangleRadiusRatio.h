@@ -16,6 +16,9 @@
  * mean. A polygon with n > 3 corners has the minimum over its corners of 2 |a x b| / ((a^2 + b^2)
  * sin theta_n), clipped to 1, with the edges a and b of the corner and the angle theta_n of the
  * regular polygon: for convex quads Verdict's Shape. Vertices and lines have -1.
+ *
+ * Inputs that are no vtkPolyData are taken for their surface: the cells that are one, and the outer
+ * faces of those that fill a volume.
  */
 #ifndef vtkTriangleRadiusRatio_h
 #define vtkTriangleRadiusRatio_h
@@ -58,6 +61,7 @@ protected:
   vtkTriangleRadiusRatio() = default;
   ~vtkTriangleRadiusRatio() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double MeanRadiusRatio = -1;

@@ -21,8 +21,8 @@ std::optional<Values> FromPiece(
   return mesh.FromPiece(array ? *array : Values(0, columns));
 }
 
-/// All but features and the reference, whose modes CheckOptions() refuses. Another one does not compile
-/// here before it has been thought of.
+/// All but features and the reference, whose modes CheckOptions() refuses. Another one does not
+/// compile here before it has been thought of.
 VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
 {
   const auto& [positionWeights, laplacianWeights, prescribedLaplacians, fixedPoints, featurePoints,

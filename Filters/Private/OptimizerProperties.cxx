@@ -5,13 +5,18 @@
 #include "PointSelection.h"
 #include "PolyDataConversion.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
+#include "vtkDataSet.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <cstring>
 #include <sstream>
@@ -24,6 +29,22 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
+/// True for a shallow copy, too, which the pipeline may execute.
+bool IsSame(vtkDataSet* a, vtkDataSet* b)
+{
+  auto* surfaceA = vtkPolyData::SafeDownCast(a);
+  auto* surfaceB = vtkPolyData::SafeDownCast(b);
+  if (surfaceA && surfaceB)
+  {
+    return surfaceA->GetPoints() == surfaceB->GetPoints() &&
+           surfaceA->GetPolys() == surfaceB->GetPolys();
+  }
+  auto* gridA = vtkUnstructuredGrid::SafeDownCast(a);
+  auto* gridB = vtkUnstructuredGrid::SafeDownCast(b);
+  return a == b || (gridA && gridB && gridA->GetPoints() == gridB->GetPoints() &&
+                     gridA->GetCells() == gridB->GetCells());
+}
+
 void CheckValue(const char*, int, lmo::Switch) {}
 
 void CheckValue(const char* name, int value, lmo::Choices choices)
@@ -94,8 +115,49 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Session::FindArray(int index, vtkPolyDa
   return array;
 }
 
+std::optional<unsigned int> vtkLaplacianMeshOptimizer::Session::CompositeIndexOf(
+  vtkDataSet* block) const
+{
+  if (!this->Blocks)
+  {
+    return std::nullopt;
+  }
+  const auto leaf = vtk::TakeSmartPointer(this->Blocks->NewIterator());
+  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+  {
+    if (IsSame(vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()), block))
+    {
+      return leaf->GetCurrentFlatIndex();
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<lmo::Vector> vtkLaplacianMeshOptimizer::Session::SelectedPointsOf(
+  const Inputs& inputs, vtkPolyData* surface) const
+{
+  if (!inputs.selection)
+  {
+    return std::nullopt;
+  }
+  lmo::Vector isSelected =
+    lmo::SelectedPoints(inputs.data, inputs.selection, this->CompositeIndexOf(inputs.data));
+  auto* originalIds = vtkIdTypeArray::SafeDownCast(
+    surface == inputs.data ? nullptr : surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+  if (originalIds)
+  {
+    lmo::Vector ofSurface(surface->GetNumberOfPoints());
+    for (vtkIdType i = 0; i < surface->GetNumberOfPoints(); ++i)
+    {
+      ofSurface[i] = isSelected[originalIds->GetValue(i)];
+    }
+    return ofSurface;
+  }
+  return isSelected;
+}
+
 lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
-  vtkPolyData* input, vtkSelection* selection) const
+  vtkPolyData* input, std::optional<lmo::Vector> isSelected) const
 {
   const vtkLaplacianMeshOptimizer& filter = *this->Filter;
   const lmo::MeshNumbering& numbering = this->Numbering;
@@ -137,9 +199,9 @@ lmo::VertexArrays vtkLaplacianMeshOptimizer::Session::ReadArrays(
       arrays.labels = lmo::ReadLabels(array, numbering);
     }
   }
-  if (selection)
+  if (isSelected)
   {
-    lmo::Vector isFixed = numbering.AnyOfPoints(lmo::SelectedPoints(input, selection));
+    lmo::Vector isFixed = numbering.AnyOfPoints(*isSelected);
     if (filter.SelectionUse == ONLY_SELECTED_POINTS_MOVE)
     {
       isFixed = 1 - isFixed.array();

@@ -5,6 +5,7 @@
 #include "FilterSupport.h"
 #include "PointDataInterpolation.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"

@@ -6,6 +6,7 @@
 #include "Core/Optimizer/Optimizer.h"
 #include "PolyDataConversion.h"
 #include "ResultArrays.h"
+#include "SurfaceExtraction.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
 
@@ -13,7 +14,10 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+class vtkCompositeDataSet;
 class vtkDataArray;
+class vtkDataObject;
+class vtkDataSet;
 class vtkFieldData;
 class vtkPointData;
 class vtkPolyData;
@@ -32,9 +36,19 @@ public:
 
   struct Inputs
   {
-    vtkPolyData* surface;
+    vtkDataSet* data;
     vtkSelection* selection; ///< may be null
-    vtkPolyData* reference;  ///< may be null
+    vtkDataSet* reference;   ///< may be null
+  };
+
+  /// How a metric of several blocks is made of theirs: means of all triangles, the value of largest
+  /// magnitude.
+  enum Combination
+  {
+    MEAN,
+    LEAST,
+    LARGEST,
+    SUM
   };
 
   /// \param pieces in which the whole surface comes
@@ -42,6 +56,10 @@ public:
 
   /// Sets the metrics that the filter's Get methods return.
   static void SetMetrics(vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result);
+
+  /// Says what the next executions are for: a data set, or a composite data set whose blocks are
+  /// executed one by one; null at the end.
+  void Begin(vtkDataObject* data);
 
 protected:
   /// \throw InputError if the surface is to come in several pieces that cannot be solved together.
@@ -83,8 +101,17 @@ private:
   /// \throw InputError if the chosen one does not exist.
   vtkDataArray* FindArray(int index, vtkPolyData* input) const;
 
-  /// \param selection may be null
-  lmo::VertexArrays ReadArrays(vtkPolyData* input, vtkSelection* selection) const;
+  /// \param isSelected 1 for points that are selected, else 0; no value without a selection
+  lmo::VertexArrays ReadArrays(vtkPolyData* input, std::optional<lmo::Vector> isSelected) const;
+
+  /// The points of the input's surface that are selected; no value without a selection.
+  std::optional<lmo::Vector> SelectedPointsOf(const Inputs& inputs, vtkPolyData* surface) const;
+
+  /// The flat index of the block of a composite data set that is executed; no value without blocks.
+  std::optional<unsigned int> CompositeIndexOf(vtkDataSet* block) const;
+
+  /// Sets the filter's metrics to those of the blocks so far.
+  void AddMetrics(const lmo::OptimizerResult& result);
 
   /// The surface to stay near, if the mode needs one.
   /// \param reference may be null
@@ -100,8 +127,9 @@ private:
   /// Says what the user should know of a result: what could not move and what got worse.
   void Warn(const lmo::OptimizerOptions& options, const lmo::OptimizerResult& result) const;
 
-  void WritePoints(lmo::OptimizerResult result, const Inputs& inputs, lmo::ResultArrays& results,
-    vtkPolyData* output) const;
+  /// \param reference may be null
+  void WritePoints(lmo::OptimizerResult result, vtkPolyData* input, vtkPolyData* reference,
+    lmo::ResultArrays& results, vtkPolyData* output) const;
 
   /// Cell normals of the new surface where the input has them.
   void WriteCellNormals(vtkPolyData* output) const;
@@ -129,11 +157,16 @@ private:
 
   Origin OriginOf(vtkPolyData* data) const;
 
+  lmo::CachedSurface Surface;
+  lmo::CachedSurface SurfaceOfReference;
   lmo::MeshNumbering Numbering;
   Origin InputOrigin;
   std::shared_ptr<const lmo::MeshQuantities> Reference;
   lmo::MeshNumbering ReferenceNumbering;
   Origin ReferenceOrigin;
+  vtkSmartPointer<vtkCompositeDataSet> Blocks; ///< null if there are none
+  std::vector<double> Totals;                  ///< of each metric; empty before the first block
+  double TotalTriangles = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

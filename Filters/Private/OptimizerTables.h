@@ -6,6 +6,8 @@
 #include "Core/Operators/Weights.h"
 #include "Core/Optimizer/Optimizer.h"
 
+#include "OptimizerSession.h"
+
 #include "vtkLaplacianMeshOptimizer.h"
 
 #include <limits>
@@ -101,8 +103,9 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("DiagnosticArrays", filter.DiagnosticArrays, Switch{});
   }
 
-  /// Calls row() with the name of each metric, the filter's value and that of a result, and whether
-  /// the field data of the filter's mode have it if that depends on the mode.
+  /// Calls row() with the name of each metric, the filter's value and that of a result, how it is
+  /// combined over blocks, and whether the field data of the filter's mode have it if that depends
+  /// on the mode.
   template <typename Filter, typename Row>
   static void VisitMetrics(Filter& filter, const lmo::OptimizerResult& result, const Row& row)
   {
@@ -111,26 +114,31 @@ struct vtkLaplacianMeshOptimizer::Tables
     const lmo::MeshQuality& before = *comparison.before;
     const lmo::DeviationReport& deviation = result.deviation;
     const bool isWithin = filter.Mode == OPTIMIZE_WITHIN_DEVIATION;
-    row("MeanRadiusRatio", filter.MeanRadiusRatio, after.mean);
-    row("MinimumRadiusRatio", filter.MinimumRadiusRatio, after.minimum);
-    row("InputMeanRadiusRatio", filter.InputMeanRadiusRatio, before.mean);
-    row("InputMinimumRadiusRatio", filter.InputMinimumRadiusRatio, before.minimum);
-    row("MaximumDisplacement", filter.MaximumDisplacement, comparison.maximumDisplacement);
+    row("MeanRadiusRatio", filter.MeanRadiusRatio, after.mean, Session::MEAN);
+    row("MinimumRadiusRatio", filter.MinimumRadiusRatio, after.minimum, Session::LEAST);
+    row("InputMeanRadiusRatio", filter.InputMeanRadiusRatio, before.mean, Session::MEAN);
+    row("InputMinimumRadiusRatio", filter.InputMinimumRadiusRatio, before.minimum, Session::LEAST);
+    row("MaximumDisplacement", filter.MaximumDisplacement, comparison.maximumDisplacement,
+      Session::LARGEST);
     row("RelativeMaximumDisplacement", filter.RelativeMaximumDisplacement,
-      comparison.relativeMaximumDisplacement);
-    row("RelativeVolumeChange", filter.RelativeVolumeChange, comparison.relativeVolumeChange);
-    row("FlippedTriangles", filter.FlippedTriangles, comparison.flippedTriangles);
-    row("Iterations", filter.Iterations, result.iterations);
-    row("RelativeResidual", filter.RelativeResidual, result.relativeResidual);
-    row("HausdorffBound", filter.HausdorffBound, deviation.bound, isWithin);
-    row("RelativeHausdorffBound", filter.RelativeHausdorffBound, deviation.relativeBound, isWithin);
-    row("Passes", filter.Passes, deviation.passes, isWithin);
-    row("RolledBackPoints", filter.RolledBackPoints, deviation.rolledBack, isWithin);
-    row("PinnedBadTriangles", filter.PinnedBadTriangles, deviation.pinnedBad, isWithin);
+      comparison.relativeMaximumDisplacement, Session::LARGEST);
+    row("RelativeVolumeChange", filter.RelativeVolumeChange, comparison.relativeVolumeChange,
+      Session::LARGEST);
+    row("FlippedTriangles", filter.FlippedTriangles, comparison.flippedTriangles, Session::SUM);
+    row("Iterations", filter.Iterations, result.iterations, Session::SUM);
+    row("RelativeResidual", filter.RelativeResidual, result.relativeResidual, Session::LARGEST);
+    row("HausdorffBound", filter.HausdorffBound, deviation.bound, Session::LARGEST, isWithin);
+    row("RelativeHausdorffBound", filter.RelativeHausdorffBound, deviation.relativeBound,
+      Session::LARGEST, isWithin);
+    row("Passes", filter.Passes, deviation.passes, Session::LARGEST, isWithin);
+    row("RolledBackPoints", filter.RolledBackPoints, deviation.rolledBack, Session::SUM, isWithin);
+    row(
+      "PinnedBadTriangles", filter.PinnedBadTriangles, deviation.pinnedBad, Session::SUM, isWithin);
     const lmo::IntersectionReport& intersections = result.intersections;
-    row("InputSelfIntersections", filter.InputSelfIntersections, intersections.before,
+    row("InputSelfIntersections", filter.InputSelfIntersections, intersections.before, Session::SUM,
       intersections.isKnown);
-    row("SelfIntersections", filter.SelfIntersections, intersections.after, intersections.isKnown);
+    row("SelfIntersections", filter.SelfIntersections, intersections.after, Session::SUM,
+      intersections.isKnown);
   }
 };
 

@@ -2,42 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PointDataInterpolation.h"
 
+#include "ArrayTransfer.h"
 #include "CellReading.h"
 #include "Core/Base/Threading.h"
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Mesh/SurfaceWalk.h"
 #include "Core/Mesh/TriangleBvh.h"
 #include "Core/Mesh/TriangleGeometry.h"
-#include "Core/Operators/VertexGradients.h"
 
-#include "vtkArrayDispatch.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
-#include "vtkIdList.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <numeric>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace lmo
 {
 namespace
 {
-bool IsInterpolated(vtkAbstractArray* array)
-{
-  const int type = array->GetDataType();
-  const int components = array->GetNumberOfComponents();
-  const bool isColour = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
-  return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
-}
-
 bool HaveSameValues(vtkDataArray* array, Index i, Index j)
 {
   bool isSame = true;
@@ -103,18 +91,14 @@ struct PlacesOnSurface
   Points V;            ///< the points of the surface
   Triangles triangles; ///< connected where there is no seam
   AdjacencyLists cornersAt;
-  VertexGradients gradients;
   std::vector<SurfaceLocation> locations; ///< no triangle for points that did not move
 
   PlacesOnSurface(vtkPolyData* surface, const std::vector<Index>& firstPoints)
     : V(PointsOf(surface->GetPoints()))
     , triangles(TrianglesOfSides(surface, firstPoints))
     , cornersAt(CornersAtVertices(static_cast<Index>(this->V.rows()), this->triangles))
-    , gradients(this->V, this->triangles, this->cornersAt)
   {
   }
-  PlacesOnSurface(const PlacesOnSurface&) = delete;
-  void operator=(const PlacesOnSurface&) = delete;
 
   /// Of the surface's own points, from where they were.
   void Follow(const std::vector<Index>& firstPoints, const Points& positions)
@@ -156,103 +140,6 @@ private:
   }
 };
 
-/// The corner with the largest weight, the point itself where there is no triangle.
-vtkSmartPointer<vtkIdList> NearestPoints(const PlacesOnSurface& places)
-{
-  const std::vector<SurfaceLocation>& locations = places.locations;
-  auto nearest = vtkSmartPointer<vtkIdList>::New();
-  nearest->SetNumberOfIds(static_cast<vtkIdType>(locations.size()));
-  for (std::size_t i = 0; i < locations.size(); ++i)
-  {
-    Index corner = 0;
-    if (locations[i].triangle >= 0)
-    {
-      locations[i].weights.maxCoeff(&corner);
-    }
-    const auto point = static_cast<vtkIdType>(i);
-    nearest->SetId(
-      point, locations[i].triangle >= 0 ? places.triangles(locations[i].triangle, corner) : point);
-  }
-  return nearest;
-}
-
-/// Barycentric interpolation, for floating-point arrays with half of what limited gradients at the
-/// corners add, which makes the error of smooth fields smaller:
-///   sum_k w_k (f_k + g_k . (x - x_k) / 2).
-struct Interpolate
-{
-  const PlacesOnSurface& places;
-  bool isRounded;
-
-  template <typename Array>
-  void operator()(Array* from, vtkDataArray* output) const
-  {
-    const auto input = vtk::DataArrayTupleRange(from);
-    auto result = vtk::DataArrayTupleRange(Array::FastDownCast(output));
-    for (int c = 0; c < from->GetNumberOfComponents(); ++c)
-    {
-      const auto field = [&](Index j) { return static_cast<double>(input[j][c]); };
-      const Points gradients = this->GradientsOf(field);
-      const std::pair<double, double> range = this->RangeOf(field);
-      ParallelFor(static_cast<Index>(this->places.locations.size()),
-        [&, this](Index i)
-        {
-          const SurfaceLocation& location = this->places.locations[i];
-          if (location.triangle >= 0)
-          {
-            // Round-off must not lead out of the range.
-            const double value =
-              std::clamp(this->ValueAt(location, field, gradients), range.first, range.second);
-            result[i][c] =
-              static_cast<vtk::GetAPIType<Array>>(this->isRounded ? std::round(value) : value);
-          }
-        });
-    }
-  }
-
-private:
-  template <typename Field>
-  Points GradientsOf(const Field& field) const
-  {
-    Points gradients(this->isRounded ? 0 : this->places.V.rows(), 3);
-    ParallelFor(static_cast<Index>(gradients.rows()),
-      [&, this](Index i) { gradients.row(i) = this->places.gradients.LimitedAt(i, field); });
-    return gradients;
-  }
-
-  template <typename Field>
-  std::pair<double, double> RangeOf(const Field& field) const
-  {
-    std::pair<double, double> range(HUGE_VAL, -HUGE_VAL);
-    for (Index i = 0; i < static_cast<Index>(this->places.V.rows()); ++i)
-    {
-      range.first = std::min(range.first, field(i));
-      range.second = std::max(range.second, field(i));
-    }
-    return range;
-  }
-
-  template <typename Field>
-  double ValueAt(const SurfaceLocation& location, const Field& field, const Points& gradients) const
-  {
-    const auto corners = this->places.triangles.row(location.triangle);
-    const TriangleCorners x = CornersOf(this->places.V, this->places.triangles, location.triangle);
-    const Vector3 position = location.weights * x;
-    const double first = field(corners[0]);
-    double value = first; // what is added to it vanishes exactly where the field is constant
-    double correction = 0;
-    bool isDefined = gradients.rows() > 0;
-    for (int k = 0; k < 3; ++k)
-    {
-      const double weight = location.weights[k];
-      value += weight * (field(corners[k]) - first);
-      isDefined = isDefined && (weight == 0 || this->places.gradients.IsDefined(corners[k]));
-      correction += isDefined ? weight * gradients.row(corners[k]).dot(position - x.row(k)) / 2 : 0;
-    }
-    return isDefined ? value + correction : value;
-  }
-};
-
 bool StaysWithPoint(vtkPointData* data, vtkAbstractArray* array)
 {
   const char* name = array->GetName() ? array->GetName() : "";
@@ -277,33 +164,6 @@ void Normalise(vtkDataArray* normals, const std::vector<SurfaceLocation>& locati
   }
 }
 
-/// The values of the surface's array at the locations.
-vtkSmartPointer<vtkAbstractArray> Transfer(
-  vtkAbstractArray* array, const PlacesOnSurface& places, vtkIdList* nearest)
-{
-  const auto size = static_cast<vtkIdType>(places.locations.size());
-  auto result = vtk::TakeSmartPointer(array->NewInstance());
-  result->DeepCopy(array);
-  if (result->GetNumberOfTuples() != size)
-  {
-    result->SetNumberOfTuples(size);
-  }
-  if (!IsInterpolated(array))
-  {
-    array->GetTuples(nearest, result);
-    return result;
-  }
-  const Interpolate interpolate{ places, array->GetDataType() == VTK_UNSIGNED_CHAR };
-  vtkDataArray* from = vtkDataArray::FastDownCast(array);
-  vtkDataArray* to = vtkDataArray::FastDownCast(result);
-  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(
-        from, interpolate, to))
-  {
-    interpolate(from, to);
-  }
-  return result;
-}
-
 /// Adds the values of an array, which keeps its role.
 void AddArray(vtkPointData* from, int k, vtkAbstractArray* values, vtkPointData* to)
 {
@@ -315,17 +175,31 @@ void AddArray(vtkPointData* from, int k, vtkAbstractArray* values, vtkPointData*
   }
 }
 
-/// The values of the surface's k-th array at the locations, normals of unit length.
-vtkSmartPointer<vtkAbstractArray> TransferArray(
-  vtkPointData* data, int k, const PlacesOnSurface& places, vtkIdList* nearest)
+/// Point data of a surface at the locations.
+/// \param stays stays(array) for arrays that are passed as they are
+template <typename Stays>
+vtkSmartPointer<vtkPointData> TransferAll(
+  vtkPointData* data, const PlacesOnSurface& places, const Stays& stays)
 {
-  vtkAbstractArray* array = data->GetAbstractArray(k);
-  vtkSmartPointer<vtkAbstractArray> values = Transfer(array, places, nearest);
-  if (data->IsArrayAnAttribute(k) == vtkDataSetAttributes::NORMALS && IsInterpolated(array))
+  auto result = vtkSmartPointer<vtkPointData>::New();
+  ArrayTransfer transfer;
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
-    Normalise(vtkDataArray::FastDownCast(values), places.locations);
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    if (stays(array))
+    {
+      AddArray(data, k, array, result);
+      continue;
+    }
+    AddArray(data, k, transfer.Add(array, places.locations.size()), result);
   }
-  return values;
+  transfer.Run(places.V, places.triangles, places.cornersAt, places.locations);
+  vtkDataArray* normals = result->GetNormals();
+  if (normals && normals != data->GetNormals() && IsInterpolated(normals))
+  {
+    Normalise(normals, places.locations);
+  }
+  return result;
 }
 }
 
@@ -333,46 +207,44 @@ vtkSmartPointer<vtkPointData> InterpolatePointData(
   vtkPolyData* input, const MeshNumbering& numbering, const Points& positions)
 {
   vtkPointData* data = input->GetPointData();
-  auto result = vtkSmartPointer<vtkPointData>::New();
-  if (data->GetNumberOfArrays() == 0 || positions.rows() == 0)
+  const auto stays = [&](vtkAbstractArray* array)
+  { return StaysWithPoint(data, array) || array->GetNumberOfTuples() != positions.rows(); };
+  bool areAllStaying = true;
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
+    areAllStaying = areAllStaying && stays(data->GetAbstractArray(k));
+  }
+  if (areAllStaying || positions.rows() == 0)
+  {
+    auto result = vtkSmartPointer<vtkPointData>::New();
     result->ShallowCopy(data);
     return result;
   }
   const std::vector<Index> firstPoints = FirstPointsOfSides(data, numbering);
   PlacesOnSurface places(input, firstPoints);
   places.Follow(firstPoints, positions);
-  const vtkSmartPointer<vtkIdList> nearest = NearestPoints(places);
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(k);
-    const bool stays =
-      StaysWithPoint(data, array) || array->GetNumberOfTuples() != positions.rows();
-    AddArray(data, k, stays ? array : TransferArray(data, k, places, nearest).Get(), result);
-  }
-  return result;
+  return TransferAll(data, places, stays);
 }
 
 vtkSmartPointer<vtkPointData> PointDataAt(
   vtkPolyData* surface, const MeshNumbering& numbering, const Points& positions)
 {
-  vtkPointData* data = surface->GetPointData();
-  auto result = vtkSmartPointer<vtkPointData>::New();
+  vtkNew<vtkPointData> data;
+  data->ShallowCopy(surface->GetPointData());
+  for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    if (StaysWithPoint(data, array) || array->GetNumberOfTuples() != surface->GetNumberOfPoints())
+    {
+      data->RemoveArray(k);
+    }
+  }
   if (data->GetNumberOfArrays() == 0 || positions.rows() == 0)
   {
-    return result;
+    return vtkSmartPointer<vtkPointData>::New();
   }
   PlacesOnSurface places(surface, FirstPointsOfSides(data, numbering));
   places.FindClosest(positions);
-  const vtkSmartPointer<vtkIdList> nearest = NearestPoints(places);
-  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
-  {
-    vtkAbstractArray* array = data->GetAbstractArray(k);
-    if (!StaysWithPoint(data, array) && array->GetNumberOfTuples() == places.V.rows())
-    {
-      AddArray(data, k, TransferArray(data, k, places, nearest), result);
-    }
-  }
-  return result;
+  return TransferAll(data, places, [](vtkAbstractArray*) { return false; });
 }
 }

@@ -17,8 +17,8 @@ namespace lmo
 /// not move keep theirs.
 ///
 /// Floating-point arrays and colours (three or four unsigned chars) are interpolated by barycentric
-/// coordinates, floating-point arrays with their gradients as well, and stay within the
-/// range of the values around their triangle; the active normals are given
+/// coordinates, floating-point arrays with their gradients as well, and stay within the range of
+/// the values around their triangle; the active normals are given
 /// unit length again. Other arrays take the values of the nearest corner. Global, pedigree and
 /// original ids and the ghost flags stay with the point. Points that are one vertex belong to
 /// different sides of a seam if their interpolated arrays, without normals, differ: then each takes

@@ -9,9 +9,9 @@
 #include "vtkExtractSelection.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 #include "vtkSelection.h"
 #include "vtkSelectionNode.h"
 
@@ -28,6 +28,26 @@ bool NamesBlock(vtkSelectionNode* node)
          properties->Has(vtkSelectionNode::HIERARCHICAL_INDEX());
 }
 
+/// The nodes of a selection that are of one block, without its name.
+vtkSmartPointer<vtkSelection> NodesOf(vtkSelection* selection, unsigned int block)
+{
+  auto ofBlock = vtkSmartPointer<vtkSelection>::New();
+  for (unsigned int k = 0; k < selection->GetNumberOfNodes(); ++k)
+  {
+    vtkSelectionNode* node = selection->GetNode(k);
+    vtkInformationIntegerKey* key = vtkSelectionNode::COMPOSITE_INDEX();
+    const bool hasIndex = node->GetProperties()->Has(key);
+    if (!hasIndex || node->GetProperties()->Get(key) == static_cast<int>(block))
+    {
+      vtkNew<vtkSelectionNode> copy;
+      copy->ShallowCopy(node);
+      copy->GetProperties()->Remove(key);
+      ofBlock->AddNode(copy);
+    }
+  }
+  return ofBlock;
+}
+
 /// \throw InputError for what vtkExtractSelection ignores or cannot do.
 void CheckSelection(vtkSelection* selection)
 {
@@ -36,8 +56,8 @@ void CheckSelection(vtkSelection* selection)
     vtkSelectionNode* node = selection->GetNode(k);
     if (NamesBlock(node))
     {
-      throw InputError("The selection names blocks of a composite data set. Extract the block, or "
-                       "merge the blocks, and select in the result.");
+      throw InputError("The selection names blocks in a way that is not known here. Select points "
+                       "or cells, or extract the block and select in the result.");
     }
     const int type = node->GetContentType();
     if (type == vtkSelectionNode::QUERY || type == vtkSelectionNode::USER)
@@ -56,18 +76,23 @@ void CheckSelection(vtkSelection* selection)
 }
 }
 
-Vector SelectedPoints(vtkPolyData* mesh, vtkSelection* selection)
+Vector SelectedPoints(vtkDataSet* data, vtkSelection* whole, std::optional<unsigned int> block)
 {
+  vtkSmartPointer<vtkSelection> selection = whole;
+  if (block)
+  {
+    selection = NodesOf(whole, *block);
+  }
   CheckSelection(selection);
-  Vector isSelected = Vector::Zero(mesh->GetNumberOfPoints());
+  Vector isSelected = Vector::Zero(data->GetNumberOfPoints());
   if (selection->GetNumberOfNodes() == 0)
   {
     return isSelected; // VTK 9.1's filter takes that for a mixture
   }
-  vtkNew<vtkPolyData> surface;
-  surface->ShallowCopy(mesh);
+  const auto copy = vtk::TakeSmartPointer(data->NewInstance());
+  copy->ShallowCopy(data);
   vtkNew<vtkExtractSelection> extraction;
-  extraction->SetInputData(0, surface);
+  extraction->SetInputData(0, copy);
   extraction->SetInputData(1, selection);
   extraction->Update();
   auto* extract = vtkDataSet::SafeDownCast(extraction->GetOutputDataObject(0));

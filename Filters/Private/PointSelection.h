@@ -5,15 +5,19 @@
 
 #include "Core/Base/Types.h"
 
-class vtkPolyData;
+#include <optional>
+
+class vtkDataSet;
 class vtkSelection;
 
 namespace lmo
 {
 /// 1 for each point that is selected itself or by one of its cells, 0 for all others.
-/// \throw InputError if the selection is a query, names blocks of a composite data set, or mixes
-/// points and cells.
-Vector SelectedPoints(vtkPolyData* mesh, vtkSelection* selection);
+/// \param block flat index if the data set is a block of a composite data set, whose other blocks
+/// the selection may name
+/// \throw InputError if the selection is a query, names blocks where there are none or in another
+/// way than by their flat index, or mixes points and cells.
+Vector SelectedPoints(vtkDataSet* data, vtkSelection* whole, std::optional<unsigned int> block);
 }
 
 #endif

@@ -56,18 +56,19 @@ vtkSmartPointer<vtkPolyData> CoarseSquare()
 
 void CheckData(Checks& c)
 {
-  const auto output =
-    Optimized(CoarseSquare(), [reference = FineSquare()](Optimizer* filter)
-      {
-        filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
-        filter->SetReferenceData(reference);
-      });
+  const auto output = Optimized(CoarseSquare(),
+    [reference = FineSquare()](Optimizer* filter)
+    {
+      filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
+      filter->SetReferenceData(reference);
+    });
   c.Error("point data that only the reference has come with it, a linear field exactly",
     LargestMagnitude(PointValues(output, "Field") - LinearField(PointsOf(output))), 1e-12);
   c.Equal("those that the input has are its own", PointValues(output, "OfBoth")(5, 0), 2);
   c.True("ids stay with the reference", !output->GetPointData()->HasArray("Ids"));
   c.Equal("field data come, too", FieldValue(output, "Time"), 4);
-  const auto without = Optimized(CoarseSquare(), [reference = FineSquare()](Optimizer* filter)
+  const auto without = Optimized(CoarseSquare(),
+    [reference = FineSquare()](Optimizer* filter)
     {
       filter->SetMode(Optimizer::OPTIMIZE_WITHIN_DEVIATION);
       filter->SetReferenceData(reference);

@@ -179,7 +179,7 @@ void CheckRefusals(Checks& c)
   const auto ofBlock = Node(vtkSelectionNode::POINT, { 1 });
   ofBlock->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2);
   c.Says("a selection in a block is refused with a remedy", error(Selection({ ofBlock })),
-    "Extract the block");
+    "extract the block");
   vtkNew<vtkSelectionNode> query;
   query->SetFieldType(vtkSelectionNode::POINT);
   query->SetContentType(vtkSelectionNode::QUERY);

@@ -25,19 +25,34 @@ public:
 
   Index Get() const { return this->Closest; }
 
+  /// Barycentric coordinates of the closest point of that triangle.
+  const Vector3& GetWeights() const { return this->Weights; }
+
   /// Looks at the triangles at a vertex.
   void VisitVertex(Index i)
   {
+    const Vector3 here = this->V.row(i);
+    const Vector3 direction = this->X - here;
     for (const Index corner : this->CornersAt[i])
     {
-      const TriangleCorners abc = CornersOf(this->V, this->T, corner / 3);
-      const double squared =
-        (ClosestPointOnTriangle(this->X, abc.row(0), abc.row(1), abc.row(2)) - this->X)
-          .squaredNorm();
+      const Vector3 next = this->V.row(this->T.data()[NextCorner(corner)]);
+      const Vector3 previous = this->V.row(this->T.data()[PreviousCorner(corner)]);
+      // The weights of the corner, the next, and the previous one.
+      Vector3 weights(1, 0, 0);
+      if (direction.dot(next - here) > 0 || direction.dot(previous - here) > 0)
+      {
+        weights = ClosestBarycentricCoordinates(this->X, here, next, previous);
+      }
+      const Vector3 closest = here + weights[1] * (next - here) + weights[2] * (previous - here);
+      const double squared = (closest - this->X).squaredNorm();
       if (squared < this->SquaredDistance)
       {
         this->SquaredDistance = squared;
         this->Closest = corner / 3;
+        for (int k = 0; k < 3; ++k)
+        {
+          this->Weights[(corner + k) % 3] = weights[k];
+        }
       }
     }
   }
@@ -48,6 +63,7 @@ private:
   const AdjacencyLists& CornersAt;
   const Vector3 X;
   Index Closest = -1;
+  Vector3 Weights = Vector3::Zero();
   double SquaredDistance = std::numeric_limits<double>::infinity();
 };
 }
@@ -60,20 +76,20 @@ SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
   closest.VisitVertex(vertex);
   while (closest.Get() != location.triangle)
   {
-    location.triangle = closest.Get();
-    for (int k = 0; k < 3; ++k)
+    location = { closest.Get(), closest.GetWeights() };
+    const bool isInside =
+      location.weights.minCoeff() > 0; // then it is closer than what is beside it
+    for (int k = 0; k < 3 && !isInside; ++k)
     {
       const Index i = triangles(location.triangle, k);
-      if (cornersAt.Size(i) <= LargestStar) // the walk goes around others by the corners opposite
+      // Triangles that meet the closest point; the walk goes around vertices of high valence by the
+      // corners opposite.
+      const bool isThere = location.weights[k] > 0 || cornersAt.Size(vertex) > LargestStar;
+      if (isThere && i != vertex && cornersAt.Size(i) <= LargestStar)
       {
         closest.VisitVertex(i);
       }
     }
-  }
-  if (location.triangle >= 0)
-  {
-    const TriangleCorners abc = CornersOf(V, triangles, location.triangle);
-    location.weights = ClosestBarycentricCoordinates(x, abc.row(0), abc.row(1), abc.row(2));
   }
   return location;
 }

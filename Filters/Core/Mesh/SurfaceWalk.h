@@ -15,8 +15,9 @@ struct SurfaceLocation
 };
 
 /// Finds the point of a surface that is closest to \a x near one of its vertices: begins with the
-/// triangles at the vertex and goes on to those that share a vertex with the closest triangle, as
-/// long as the distance falls. Sheets of the surface that are not connected there are not reached.
+/// triangles at the vertex and, unless the closest point lies inside a triangle, goes on to those
+/// that share a vertex with the closest triangle, as long as the distance falls. Sheets of the
+/// surface that are not connected there are not reached.
 /// \param cornersAt CornersAtVertices() of the triangles
 /// \return no triangle if the vertex has none
 SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef lmo_FieldInterpolation_h
+#define lmo_FieldInterpolation_h
+
+#include "Core/Mesh/MeshTopology.h"
+#include "Core/Mesh/SurfaceWalk.h"
+
+namespace lmo
+{
+/// A row for each vertex or location, a column for each field.
+using Fields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Fields at locations on a surface, by barycentric interpolation:
+///   sum_k w_k f_k.
+/// \return 0 where a location has no triangle
+Fields InterpolateLinearly(
+  const Triangles& triangles, const Fields& fields, const std::vector<SurfaceLocation>& locations);
+
+/// The same with half of what the gradients at the corners add, which makes the error of smooth
+/// fields smaller:
+///   sum_k w_k (f_k + g_k . (x - x_k) / 2),
+/// within sum_k w_k (the range of the values at corner k and its neighbours). The result is
+/// continuous, and no value leaves the field's range. The gradient at a vertex is the mean over its
+/// triangles of those of the linear interpolation, weighted by area: exact for linear fields on a
+/// plane.
+/// \param cornersAt CornersAtVertices() of the triangles
+Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
+  const AdjacencyLists& cornersAt, const Fields& fields,
+  const std::vector<SurfaceLocation>& locations);
+}
+
+#endif

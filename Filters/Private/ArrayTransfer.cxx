@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ArrayTransfer.h"
+
+#include "Core/Base/Threading.h"
+
+#include "vtkArrayDispatch.h"
+#include "vtkDataArrayRange.h"
+#include "vtkIdList.h"
+
+#include <cmath>
+
+namespace lmo
+{
+namespace
+{
+/// The corner with the largest weight, the point itself where there is no triangle.
+vtkSmartPointer<vtkIdList> NearestPoints(
+  const Triangles& triangles, const std::vector<SurfaceLocation>& locations)
+{
+  auto nearest = vtkSmartPointer<vtkIdList>::New();
+  nearest->SetNumberOfIds(static_cast<vtkIdType>(locations.size()));
+  for (std::size_t i = 0; i < locations.size(); ++i)
+  {
+    Index corner = 0;
+    if (locations[i].triangle >= 0)
+    {
+      locations[i].weights.maxCoeff(&corner);
+    }
+    const auto point = static_cast<vtkIdType>(i);
+    nearest->SetId(
+      point, locations[i].triangle >= 0 ? triangles(locations[i].triangle, corner) : point);
+  }
+  return nearest;
+}
+
+/// Calls body(values, component) for each component of an array, with its values as a range.
+template <typename Body>
+struct ForEachComponent
+{
+  const Body& body;
+
+  template <typename Array>
+  void operator()(Array* array) const
+  {
+    auto values = vtk::DataArrayTupleRange(array);
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      this->body(values, c, vtk::GetAPIType<Array>());
+    }
+  }
+};
+
+template <typename Body>
+void VisitComponents(vtkDataArray* array, const Body& body)
+{
+  const ForEachComponent<Body> visitor{ body };
+  if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, visitor))
+  {
+    visitor(array);
+  }
+}
+
+/// The components of the arrays as columns.
+Fields FieldsOf(const std::vector<vtkDataArray*>& arrays)
+{
+  int columns = 0;
+  for (vtkDataArray* array : arrays)
+  {
+    columns += array->GetNumberOfComponents();
+  }
+  Fields fields(arrays.empty() ? 0 : arrays[0]->GetNumberOfTuples(), columns);
+  int column = 0;
+  for (vtkDataArray* array : arrays)
+  {
+    VisitComponents(array,
+      [&](const auto& values, int c, auto)
+      {
+        ParallelFor(static_cast<Index>(fields.rows()),
+          [&](Index i) { fields(i, column) = static_cast<double>(values[i][c]); });
+        ++column;
+      });
+  }
+  return fields;
+}
+
+/// Sets the values of points that moved.
+/// \param isRounded to whole numbers
+void SetValues(const Fields& fields, const std::vector<SurfaceLocation>& locations,
+  const std::vector<vtkDataArray*>& arrays, bool isRounded)
+{
+  int column = 0;
+  for (vtkDataArray* array : arrays)
+  {
+    VisitComponents(array,
+      [&](auto& values, int c, auto zero)
+      {
+        using Value = decltype(zero);
+        ParallelFor(static_cast<Index>(fields.rows()),
+          [&](Index i)
+          {
+            if (locations[i].triangle >= 0)
+            {
+              const double value = fields(i, column);
+              values[i][c] = static_cast<Value>(isRounded ? std::round(value) : value);
+            }
+          });
+        ++column;
+      });
+  }
+}
+
+/// A copy of an array with so many values.
+vtkSmartPointer<vtkAbstractArray> CopyFor(vtkAbstractArray* array, vtkIdType size)
+{
+  auto copy = vtk::TakeSmartPointer(array->NewInstance());
+  copy->DeepCopy(array);
+  if (copy->GetNumberOfTuples() != size)
+  {
+    copy->SetNumberOfTuples(size);
+  }
+  return copy;
+}
+
+}
+
+bool IsInterpolated(vtkAbstractArray* array)
+{
+  const int type = array->GetDataType();
+  const int components = array->GetNumberOfComponents();
+  const bool isColour = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
+  return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
+}
+
+std::vector<vtkDataArray*> ArrayTransfer::Group::NumericFrom() const
+{
+  std::vector<vtkDataArray*> numeric;
+  for (vtkAbstractArray* array : this->from)
+  {
+    numeric.push_back(vtkDataArray::FastDownCast(array));
+  }
+  return numeric;
+}
+
+std::vector<vtkDataArray*> ArrayTransfer::Group::NumericTo() const
+{
+  std::vector<vtkDataArray*> numeric;
+  for (vtkAbstractArray* array : this->to)
+  {
+    numeric.push_back(vtkDataArray::FastDownCast(array));
+  }
+  return numeric;
+}
+
+vtkSmartPointer<vtkAbstractArray> ArrayTransfer::Add(vtkAbstractArray* array, std::size_t size)
+{
+  Group& group = !IsInterpolated(array)                      ? this->Nearest
+                 : array->GetDataType() == VTK_UNSIGNED_CHAR ? this->Linear
+                                                             : this->Smooth;
+  group.from.push_back(array);
+  group.to.push_back(CopyFor(array, static_cast<vtkIdType>(size)));
+  return group.to.back();
+}
+
+void ArrayTransfer::Run(const Points& V, const Triangles& triangles,
+  const AdjacencyLists& cornersAt, const std::vector<SurfaceLocation>& locations) const
+{
+  if (!this->Nearest.from.empty())
+  {
+    const vtkSmartPointer<vtkIdList> nearest = NearestPoints(triangles, locations);
+    for (std::size_t k = 0; k < this->Nearest.from.size(); ++k)
+    {
+      this->Nearest.from[k]->GetTuples(nearest, this->Nearest.to[k]);
+    }
+  }
+  const Fields linear =
+    InterpolateLinearly(triangles, FieldsOf(this->Linear.NumericFrom()), locations);
+  SetValues(linear, locations, this->Linear.NumericTo(), true);
+  const Fields smooth =
+    InterpolateSmoothly(V, triangles, cornersAt, FieldsOf(this->Smooth.NumericFrom()), locations);
+  SetValues(smooth, locations, this->Smooth.NumericTo(), false);
+}
+}

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ArrayTransfer_h
+#define ArrayTransfer_h
+
+#include "Core/Operators/FieldInterpolation.h"
+
+#include "vtkSmartPointer.h"
+
+class vtkAbstractArray;
+class vtkDataArray;
+
+namespace lmo
+{
+/// True for floating-point arrays and colours (three or four unsigned chars), whose values are
+/// interpolated.
+bool IsInterpolated(vtkAbstractArray* array);
+
+/// Takes point arrays of a surface to locations on it: floating-point arrays are interpolated
+/// smoothly, colours linearly, others take the values of the nearest corner. Values without a
+/// location stay as they are.
+class ArrayTransfer
+{
+public:
+  /// \param size number of locations
+  /// \return a copy of the array, which Run() sets
+  vtkSmartPointer<vtkAbstractArray> Add(vtkAbstractArray* array, std::size_t size);
+
+  void Run(const Points& V, const Triangles& triangles, const AdjacencyLists& cornersAt,
+    const std::vector<SurfaceLocation>& locations) const;
+
+private:
+  struct Group
+  {
+    std::vector<vtkAbstractArray*> from;
+    std::vector<vtkSmartPointer<vtkAbstractArray>> to;
+
+    std::vector<vtkDataArray*> NumericFrom() const;
+    std::vector<vtkDataArray*> NumericTo() const;
+  };
+
+  Group Nearest;
+  Group Linear;
+  Group Smooth;
+};
+}
+
+#endif

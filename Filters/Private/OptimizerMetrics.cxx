@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptimizerSession.h"
+#include "OptimizerTables.h"
+#include "PolyDataOutput.h"
+#include "ResultArrays.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+void vtkLaplacianMeshOptimizer::Session::SetMetrics(
+  vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result)
+{
+  Tables::VisitMetrics(*filter, result,
+    [](const char*, auto& value, auto newValue, auto...)
+    { value = static_cast<std::decay_t<decltype(value)>>(newValue); });
+}
+
+void vtkLaplacianMeshOptimizer::Session::AddMetrics(const lmo::OptimizerResult& result)
+{
+  const auto triangles = static_cast<double>(result.comparison.triangles);
+  const bool isFirst = this->Totals.empty();
+  std::size_t row = 0;
+  Tables::VisitMetrics(*this->Filter, result,
+    [&](const char*, auto& value, auto newValue, Combination combination, bool = true)
+    {
+      const auto added = static_cast<double>(newValue);
+      if (isFirst)
+      {
+        this->Totals.push_back(added);
+      }
+      else if (combination == SUM)
+      {
+        this->Totals[row] += added;
+      }
+      else if (combination == LARGEST)
+      {
+        this->Totals[row] =
+          std::abs(added) > std::abs(this->Totals[row]) ? added : this->Totals[row];
+      }
+      else if (triangles > 0)
+      {
+        const double before = this->TotalTriangles > 0 ? this->Totals[row] : added;
+        const double share = triangles / (triangles + this->TotalTriangles);
+        this->Totals[row] =
+          combination == MEAN ? before + share * (added - before) : std::min(before, added);
+      }
+      value = static_cast<std::decay_t<decltype(value)>>(this->Totals[row++]);
+    });
+  this->TotalTriangles += triangles;
+}
+
+void vtkLaplacianMeshOptimizer::Session::Begin(vtkDataObject* data)
+{
+  this->Blocks = vtkCompositeDataSet::SafeDownCast(data);
+  this->Totals.clear();
+  this->TotalTriangles = 0;
+}
+
+void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
+  const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const
+{
+  Tables::VisitMetrics(*this->Filter, result,
+    [&](const char* name, auto value, auto newValue, Combination, bool isOfMode = true)
+    {
+      if (isOfMode)
+      {
+        // As large as the filter's own value can hold it.
+        const auto held = static_cast<decltype(value)>(newValue);
+        results.Add(fieldData, lmo::MakeArray(name, static_cast<double>(held)));
+      }
+      else
+      {
+        // An earlier filter may have written it, for another surface.
+        lmo::ResultArrays::Remove(fieldData, name);
+      }
+    });
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
