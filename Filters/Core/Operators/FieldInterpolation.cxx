@@ -69,7 +69,7 @@ Neighbourhood Around(const Points& V, const Triangles& T, const AdjacencyLists& 
 {
   Neighbourhood result(values[i]);
   const Vector3 here = V.row(i);
-  double area = 0; // twice
+  double weights = 0;
   for (const Index corner : cornersAt[i])
   {
     const Index next = T.data()[NextCorner(corner)];
@@ -78,15 +78,19 @@ Neighbourhood Around(const Points& V, const Triangles& T, const AdjacencyLists& 
     const Vector3 toPrevious = V.row(previous) - here;
     const Vector3 normal = toNext.cross(toPrevious);
     const double length = normal.norm();
-    const Vector3 unit = length > 0 ? Vector3(normal / length) : Vector3(Vector3::Zero());
-    area += length;
-    // Twice the area times the gradient of the linear interpolation.
-    result.Add(values[previous], values[i], unit.cross(toNext));
-    result.Add(values[next], values[i], toPrevious.cross(unit));
+    const double squares = toNext.squaredNorm() * toPrevious.squaredNorm();
+    if (length > 0 && squares > 0)
+    {
+      // The gradient of the linear interpolation times sin(angle) / (product of the edges).
+      const Vector3 scaled = normal / (length * squares);
+      weights += length / squares;
+      result.Add(values[previous], values[i], scaled.cross(toNext));
+      result.Add(values[next], values[i], toPrevious.cross(scaled));
+    }
   }
   for (Block& component : result.gradient)
   {
-    component *= area > 0 ? 1 / area : 0;
+    component *= weights > 0 ? 1 / weights : 0;
   }
   return result;
 }
