@@ -11,6 +11,7 @@ from matplotlib import pyplot as plt
 from panels import Optimizer, optimized
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkFiltersCore import (
+    vtkAppendPolyData,
     vtkArrayCalculator,
     vtkContourFilter,
     vtkMassProperties,
@@ -19,6 +20,7 @@ from vtkmodules.vtkFiltersCore import (
 from vtkmodules.vtkImagingCore import vtkRTAnalyticSource
 
 HEAD = {"zoom": 3.4, "focus": (0.76, 0.4, 0.72)}
+BUMPS = {"direction": (0.4, -1, 0.7), "zoom": 1.9}
 CORNER = {"direction": viewing.PART, "zoom": 3.4, "focus": (0.8, 0.15, 0.5)}
 WHOLE_PART = {"direction": viewing.PART, "zoom": 1.3}
 CONSTANT, LINEAR, CDF = Optimizer.CONSTANT, Optimizer.LINEAR, Optimizer.CDF
@@ -145,6 +147,61 @@ def fields():
     panels.save(figure, "fields", colors=160)
 
 
+def bumpy_layer(cells, height):
+    """A square of bumps with points that are not evenly spaced."""
+    i, j = (k.ravel() for k in np.meshgrid(*2 * [np.arange(cells + 1)], indexing="ij"))
+    random = np.random.default_rng(1)
+    inside = (i % cells > 0) & (j % cells > 0)
+    x, y = ((k + inside * random.uniform(-0.25, 0.25, len(k))) / cells for k in (i, j))
+    z = height + 0.02 * np.sin(25 * x) * np.cos(25 * y)
+    corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
+    lower = np.stack([corner, corner + cells + 1, corner + cells + 2], axis=1)
+    upper = np.stack([corner, corner + cells + 2, corner + 1], axis=1)
+    return shapes.polydata(np.stack([x, y, z], axis=1), np.concatenate([lower, upper]))
+
+
+def turned_over(mesh):
+    return shapes.polydata(shapes.points_of(mesh), shapes.triangles_of(mesh)[:, ::-1])
+
+
+def joined(meshes):
+    append = vtkAppendPolyData()
+    for mesh in meshes:
+        append.AddInputData(mesh)
+    append.Update()
+    return append.GetOutput()
+
+
+def thin_walls():
+    """The two sides of a thin wall: each for itself, and together."""
+    layers = [bumpy_layer(24, 0), turned_over(bumpy_layer(24, 0.001))]
+    within = {
+        "Mode": Optimizer.OPTIMIZE_WITHIN_DEVIATION,
+        "MaximumDeviation": 0.007,
+        "DetectFeatures": False,
+        "BoundaryCondition": Optimizer.SLIDING,
+    }
+    columns = {
+        "input": joined(layers),
+        "each side for itself": joined([optimized(layer, **within) for layer in layers]),
+        "both together": optimized(joined(layers), **within),
+    }
+    figure, axes = plt.subplots(1, 3, figsize=(12, 4.8), layout="constrained")
+    for cell, (name, output) in zip(axes, columns.items()):
+        checked = optimized(
+            output, Mode=Optimizer.OPTIMIZE_TRIANGLES, ScaleFactor=1e6, CheckSelfIntersections=True
+        )
+        pairs = checked.GetFieldData().GetArray("InputSelfIntersections").GetValue(0)
+        meets = vtk_to_numpy(checked.GetCellData().GetArray("SelfIntersecting"))
+        marks = np.zeros(output.GetNumberOfPoints())
+        marks[shapes.triangles_of(output)[meets > 0]] = 1
+        shapes.add_point_array(output, "Meets", marks)
+        actor = viewing.surface(output, "Meets", (0, 1), viewing.QUALITY[::-1], edges=True)
+        title = "%s\nmean radius ratio %.2f, %d pairs of triangles meet"
+        panels.show(cell, [actor], title % (name, panels.radius_ratios(output).mean(), pairs), **BUMPS)
+    panels.save(figure, "thin_walls")
+
+
 def features():
     """Triangles on a part with sharp edges, as in Fig. 6 of the paper."""
     part = shapes.machine_part()
@@ -259,6 +316,7 @@ def shrinkage():
 
 
 if __name__ == "__main__":
-    for picture in (weights, scale, laplacians, fields, features, pyramid, cad_noise, shrinkage):
+    pictures = (weights, scale, laplacians, fields, thin_walls, features, pyramid, cad_noise)
+    for picture in (*pictures, shrinkage):
         if picture.__name__ in (sys.argv[1:] or picture.__name__):
             picture()
