@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace lmo
@@ -21,13 +22,13 @@ using Block = Eigen::Array<double, BlockSize, 1>;
 /// What a block of fields does around a vertex.
 struct Neighbourhood
 {
-  Block gradient[3]; ///< a component each
+  std::array<Block, 3> gradient; ///< a component each
   Block lowest;
   Block highest;
 
   Neighbourhood() = default;
   explicit Neighbourhood(const Block& values)
-    : gradient{ Block::Zero(), Block::Zero(), Block::Zero() }
+    : gradient{ { Block::Zero(), Block::Zero(), Block::Zero() } }
     , lowest(values)
     , highest(values)
   {
