@@ -66,8 +66,9 @@ void vtkSurfaceDeviation::Compare(
 
   output->ShallowCopy(surfaceData);
   lmo::ResultArrays results;
-  results.Add(
-    output->GetPointData(), lmo::MakeArray("Distance", distance.atVertices, surface.numbering));
+  const auto distances = lmo::MakeArray("Distance", distance.atVertices, surface.numbering);
+  results.Add(output->GetPointData(), distances);
+  output->GetPointData()->SetActiveScalars(distances->GetName()); // what viewers show first
   // Triangles that do not share their points are closed only together.
   lmo::WeldCoincidentPoints(reference);
   lmo::ResultArrays::Remove(output->GetPointData(), "SignedDistance");
