@@ -27,7 +27,8 @@ void CheckOffsets(vtkCellArray* cells, const char* what)
   }
 }
 
-constexpr const char* NoSuchPoint = "cells name a point that does not exist";
+constexpr const char* NamesNoPoint = "cell names a point that does not exist";
+constexpr const char* NameNoPoint = "cells name a point that does not exist";
 constexpr const char* RepairCells = "Repair the cells of the input.";
 
 /// Copies the connectivity of a vtkCellArray that holds nothing but triangles.
@@ -84,9 +85,10 @@ void CheckCells(vtkCellArray* cells, vtkIdType firstCell, vtkIdType leastSize, v
       outOfRange.Add(firstCell + cell);
     }
   }
-  tooSmall.ThrowIfAny("polygons have fewer than three corners", "cell",
+  tooSmall.ThrowIfAny("polygon has fewer than three corners",
+    "polygons have fewer than three corners", "cell",
     "Remove them, for example with vtkCleanPolyData.");
-  outOfRange.ThrowIfAny(NoSuchPoint, "cell", RepairCells);
+  outOfRange.ThrowIfAny(NamesNoPoint, NameNoPoint, "cell", RepairCells);
 }
 
 /// The polygons if they are triangles.
@@ -102,7 +104,7 @@ Triangles CopyPolygons(vtkCellArray* polygons, vtkIdType firstCell, vtkIdType po
     CopyTriangles{}(connectivity, points, triangles, outOfRange);
   }
   outOfRange.first += outOfRange.count > 0 ? firstCell : 0;
-  outOfRange.ThrowIfAny(NoSuchPoint, "cell", RepairCells);
+  outOfRange.ThrowIfAny(NamesNoPoint, NameNoPoint, "cell", RepairCells);
   return triangles;
 }
 

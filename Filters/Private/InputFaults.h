@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <sstream>
+#include <string>
 
 namespace lmo
 {
@@ -18,14 +19,16 @@ struct Faults
 
   void Add(std::int64_t id) { this->first = this->count++ ? this->first : id; }
 
+  /// \param one what is wrong if there is one, after the number; \a many if there are several
   /// \throw InputError "<count> <what>; the first is <kind> <id>. <remedy>" if there are any.
-  void ThrowIfAny(const char* what, const char* kind, const char* remedy) const
+  void ThrowIfAny(
+    const std::string& one, const std::string& many, const char* kind, const char* remedy) const
   {
     if (this->count > 0)
     {
       std::ostringstream text;
-      text << this->count << ' ' << what << "; the first is " << kind << ' ' << this->first << ". "
-           << remedy;
+      text << this->count << ' ' << (this->count == 1 ? one : many) << "; the first is " << kind
+           << ' ' << this->first << ". " << remedy;
       throw InputError(text.str());
     }
   }

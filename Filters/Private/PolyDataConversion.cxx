@@ -122,7 +122,8 @@ Rows ReadArray(vtkDataArray* array, vtkIdType count, const char* kind = "point")
     throw InputError(text.str());
   }
   Rows rows = ReadTuples<Rows>(array);
-  FindNotFinite(rows).ThrowIfAny(("values of " + name + " are NaN or infinite").c_str(), kind,
+  FindNotFinite(rows).ThrowIfAny("value of " + name + " is NaN or infinite",
+    "values of " + name + " are NaN or infinite", kind,
     "Replace them, for example with vtkArrayCalculator.");
   return rows;
 }
@@ -142,9 +143,11 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
     mesh.points = ReadTuples<Points>(input->GetPoints()->GetData());
   }
   FindNotFinite(mesh.points)
-    .ThrowIfAny("points have NaN or infinite coordinates", "point", "Remove or repair them.");
+    .ThrowIfAny("point has NaN or infinite coordinates", "points have NaN or infinite coordinates",
+      "point", "Remove or repair them.");
   FindHuge(mesh.points)
-    .ThrowIfAny("points have coordinates above 1e70", "point", "Remove or scale them.");
+    .ThrowIfAny("point has coordinates above 1e70", "points have coordinates above 1e70", "point",
+      "Remove or scale them.");
   CheckExtent(mesh.points);
 
   SurfaceTriangles cells = ReadTriangles(input);
@@ -197,7 +200,8 @@ void CheckRange(const Points& positions, const MeshNumbering& numbering)
   if (FindHuge(positions).count > 0)
   {
     FindHuge(numbering.ToPoints(positions))
-      .ThrowIfAny("points would leave the range of their coordinates", "point",
+      .ThrowIfAny("point would leave the range of its coordinates",
+        "points would leave the range of their coordinates", "point",
         "Scale the mesh and the prescribed Laplacians, or convert the points to double.");
   }
 }
@@ -230,19 +234,19 @@ Vector ReadWeights(vtkDataArray* array, const MeshNumbering& numbering)
 {
   Vector weights = ReadArray<Vector>(array, numbering.GetNumberOfPoints());
   const Faults negative = FindFaults(weights, [](const auto& row) { return row[0] >= 0; });
-  negative.ThrowIfAny(("weights in " + NameOf(array) + " are negative").c_str(), "point",
-    "Weights must be 0 or more.");
+  negative.ThrowIfAny("weight in " + NameOf(array) + " is negative",
+    "weights in " + NameOf(array) + " are negative", "point", "Weights must be 0 or more.");
   FindFaults(weights, [](const auto& row) { return row[0] <= LargestWeight; })
-    .ThrowIfAny(
-      ("weights in " + NameOf(array) + " are above 1e40").c_str(), "point", "Scale the weights.");
+    .ThrowIfAny("weight in " + NameOf(array) + " is above 1e40",
+      "weights in " + NameOf(array) + " are above 1e40", "point", "Scale the weights.");
   return numbering.ToVertices(std::move(weights));
 }
 
 Points ReadVectors(vtkDataArray* array, const MeshNumbering& numbering)
 {
   Points vectors = ReadArray<Points>(array, numbering.GetNumberOfPoints());
-  FindHuge(vectors).ThrowIfAny(
-    ("vectors of " + NameOf(array) + " are longer than 1e70").c_str(), "point", "Scale them.");
+  FindHuge(vectors).ThrowIfAny("vector of " + NameOf(array) + " is longer than 1e70",
+    "vectors of " + NameOf(array) + " are longer than 1e70", "point", "Scale them.");
   return numbering.ToVertices(std::move(vectors));
 }
 }

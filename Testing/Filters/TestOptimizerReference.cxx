@@ -129,7 +129,7 @@ void CheckErrors(Checks& c)
   reference->GetPoints()->SetPoint(3, std::numeric_limits<double>::quiet_NaN(), 0, 0);
   filter->SetReferenceData(reference);
   c.Says("an error of the reference says so", Update(filter).errors,
-    "The Reference cannot be used. 1 points have NaN");
+    "The Reference cannot be used. 1 point has NaN");
   filter->SetReferenceData(MakePolyData(Icosphere(1)));
   c.True("the filter works again", Update(filter).errors.empty());
 }
