@@ -145,7 +145,7 @@ TestMesh Layers(int cells, double height, double frequency, double gap)
   return Joined(layer, Reversed(Transformed(layer, 1, { 0, 0, gap })));
 }
 
-/// A wing with a sharp trailing edge: two layers that meet in a line.
+/// A wing with a sharp trailing edge: two layers that share the vertices of a line.
 TestMesh Blade(int cells, double thickness)
 {
   TestMesh blade = Layers(cells, 0, 1, 0);
@@ -156,6 +156,10 @@ TestMesh Blade(int cells, double thickness)
     const double z = thickness * x * (1.2 - x);
     blade.V(i, 2) = -z + 0.02 * std::sin(30 * x);
     blade.V(half + i, 2) = z + 0.02 * std::sin(30 * x);
+  }
+  for (Index& corner : blade.T.reshaped())
+  {
+    corner -= corner >= half && blade.V(corner, 0) == 0 ? Index(half) : 0;
   }
   return blade;
 }
