@@ -136,7 +136,7 @@ Fields InterpolateLinearly(
   ParallelFor(static_cast<Index>(locations.size()),
     [&](Index i)
     {
-      if (locations[i].triangle >= 0)
+      if (locations[i].triangle >= 0 && fields.cols() > 0)
       {
         const auto corners = triangles.row(locations[i].triangle);
         const auto first = fields.row(corners[0]);
