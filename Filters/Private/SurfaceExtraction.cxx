@@ -3,7 +3,7 @@
 #include "SurfaceExtraction.h"
 
 #include "vtkDataSet.h"
-#include "vtkDataSetSurfaceFilter.h"
+#include "vtkGeometryFilter.h"
 #include "vtkNew.h"
 #include "vtkPolyData.h"
 
@@ -20,9 +20,8 @@ vtkSmartPointer<vtkPolyData> SurfaceOf(vtkDataObject* data)
   // A copy, since the filter connects its input to a pipeline of its own.
   auto copy = vtk::TakeSmartPointer(input->NewInstance());
   copy->ShallowCopy(input);
-  vtkNew<vtkDataSetSurfaceFilter> extraction;
+  vtkNew<vtkGeometryFilter> extraction;
   extraction->SetInputData(copy);
-  extraction->SetDelegation(false); // vtkGeometryFilter of VTK 9.1 leaks
   extraction->PassThroughCellIdsOn();
   extraction->PassThroughPointIdsOn();
   extraction->Update();
