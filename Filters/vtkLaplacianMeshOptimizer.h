@@ -538,7 +538,7 @@ public:
 
   ///@{
   /**
-   * Looks for pairs of triangles that meet elsewhere than in the points and the edge that they
+   * Search for pairs of triangles that meet elsewhere than in the points and the edge that they
    * share, before and after, and warns if new ones appear: field data InputSelfIntersections and
    * SelfIntersections, and the cell array SelfIntersecting. OPTIMIZE_WITHIN_DEVIATION does so
    * always and prevents new ones. Default: off.
@@ -630,9 +630,9 @@ public:
   ///@{
   /**
    * Number of pairs of triangles that meet elsewhere than in the points and the edge that they
-   * share, before and after; see CheckSelfIntersections. Pairs closer than round-off count. Pairs
-   * of triangles that both have a point of more than 100 triangles are not looked at. 0 where it
-   * was not looked for them.
+   * share, before and after; see CheckSelfIntersections. Pairs that are closer than round-off
+   * count. Pairs of triangles that both have a point of more than 100 triangles are not examined.
+   * 0 if pairs were not searched for.
    */
   vtkGetMacro(InputSelfIntersections, vtkIdType);
   vtkGetMacro(SelfIntersections, vtkIdType);

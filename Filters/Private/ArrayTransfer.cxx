@@ -122,6 +122,17 @@ vtkSmartPointer<vtkAbstractArray> CopyFor(vtkAbstractArray* array, vtkIdType siz
   return copy;
 }
 
+/// The arrays, all of which are numeric.
+template <typename Arrays>
+std::vector<vtkDataArray*> Numeric(const Arrays& arrays)
+{
+  std::vector<vtkDataArray*> numeric;
+  for (vtkAbstractArray* array : arrays)
+  {
+    numeric.push_back(vtkDataArray::FastDownCast(array));
+  }
+  return numeric;
+}
 }
 
 bool IsInterpolated(vtkAbstractArray* array)
@@ -130,26 +141,6 @@ bool IsInterpolated(vtkAbstractArray* array)
   const int components = array->GetNumberOfComponents();
   const bool isColour = type == VTK_UNSIGNED_CHAR && (components == 3 || components == 4);
   return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
-}
-
-std::vector<vtkDataArray*> ArrayTransfer::Group::NumericFrom() const
-{
-  std::vector<vtkDataArray*> numeric;
-  for (vtkAbstractArray* array : this->from)
-  {
-    numeric.push_back(vtkDataArray::FastDownCast(array));
-  }
-  return numeric;
-}
-
-std::vector<vtkDataArray*> ArrayTransfer::Group::NumericTo() const
-{
-  std::vector<vtkDataArray*> numeric;
-  for (vtkAbstractArray* array : this->to)
-  {
-    numeric.push_back(vtkDataArray::FastDownCast(array));
-  }
-  return numeric;
 }
 
 vtkSmartPointer<vtkAbstractArray> ArrayTransfer::Add(vtkAbstractArray* array, std::size_t size)
@@ -174,10 +165,10 @@ void ArrayTransfer::Run(const Points& V, const Triangles& triangles,
     }
   }
   const Fields linear =
-    InterpolateLinearly(triangles, FieldsOf(this->Linear.NumericFrom()), locations);
-  SetValues(linear, locations, this->Linear.NumericTo(), true);
+    InterpolateLinearly(triangles, FieldsOf(Numeric(this->Linear.from)), locations);
+  SetValues(linear, locations, Numeric(this->Linear.to), true);
   const Fields smooth =
-    InterpolateSmoothly(V, triangles, cornersAt, FieldsOf(this->Smooth.NumericFrom()), locations);
-  SetValues(smooth, locations, this->Smooth.NumericTo(), false);
+    InterpolateSmoothly(V, triangles, cornersAt, FieldsOf(Numeric(this->Smooth.from)), locations);
+  SetValues(smooth, locations, Numeric(this->Smooth.to), false);
 }
 }

@@ -8,7 +8,6 @@
 #include "vtkSmartPointer.h"
 
 class vtkAbstractArray;
-class vtkDataArray;
 
 namespace lmo
 {
@@ -34,9 +33,6 @@ private:
   {
     std::vector<vtkAbstractArray*> from;
     std::vector<vtkSmartPointer<vtkAbstractArray>> to;
-
-    std::vector<vtkDataArray*> NumericFrom() const;
-    std::vector<vtkDataArray*> NumericTo() const;
   };
 
   Group Nearest;

@@ -74,7 +74,7 @@ void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
     {
       if (isOfMode)
       {
-        // As large as the filter's own value can hold it.
+        // In the type of the filter's value: what the getter of one block would return.
         const auto held = static_cast<decltype(value)>(newValue);
         results.Add(fieldData, lmo::MakeArray(name, static_cast<double>(held)));
       }

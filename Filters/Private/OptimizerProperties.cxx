@@ -16,7 +16,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
-#include "vtkUnstructuredGrid.h"
 
 #include <cstring>
 #include <sstream>
@@ -29,22 +28,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// True for a shallow copy, too, which the pipeline may execute.
-bool IsSame(vtkDataSet* a, vtkDataSet* b)
-{
-  auto* surfaceA = vtkPolyData::SafeDownCast(a);
-  auto* surfaceB = vtkPolyData::SafeDownCast(b);
-  if (surfaceA && surfaceB)
-  {
-    return surfaceA->GetPoints() == surfaceB->GetPoints() &&
-           surfaceA->GetPolys() == surfaceB->GetPolys();
-  }
-  auto* gridA = vtkUnstructuredGrid::SafeDownCast(a);
-  auto* gridB = vtkUnstructuredGrid::SafeDownCast(b);
-  return a == b || (gridA && gridB && gridA->GetPoints() == gridB->GetPoints() &&
-                     gridA->GetCells() == gridB->GetCells());
-}
-
 void CheckValue(const char*, int, lmo::Switch) {}
 
 void CheckValue(const char* name, int value, lmo::Choices choices)
@@ -125,7 +108,7 @@ std::optional<unsigned int> vtkLaplacianMeshOptimizer::Session::CompositeIndexOf
   const auto leaf = vtk::TakeSmartPointer(this->Blocks->NewIterator());
   for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
   {
-    if (IsSame(vtkDataSet::SafeDownCast(leaf->GetCurrentDataObject()), block))
+    if (leaf->GetCurrentDataObject() == block)
     {
       return leaf->GetCurrentFlatIndex();
     }

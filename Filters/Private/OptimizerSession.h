@@ -41,8 +41,8 @@ public:
     vtkDataSet* reference;   ///< may be null
   };
 
-  /// How a metric of several blocks is made of theirs: means of all triangles, the value of largest
-  /// magnitude.
+  /// How the values of several blocks become one: the mean over all triangles, the least value, the
+  /// one of largest magnitude, or the sum.
   enum Combination
   {
     MEAN,

@@ -185,13 +185,12 @@ vtkSmartPointer<vtkPointData> TransferAll(
   ArrayTransfer transfer;
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
-    vtkAbstractArray* array = data->GetAbstractArray(k);
-    if (stays(array))
+    vtkSmartPointer<vtkAbstractArray> values = data->GetAbstractArray(k);
+    if (!stays(values))
     {
-      AddArray(data, k, array, result);
-      continue;
+      values = transfer.Add(values, places.locations.size());
     }
-    AddArray(data, k, transfer.Add(array, places.locations.size()), result);
+    AddArray(data, k, values, result);
   }
   transfer.Run(places.V, places.triangles, places.cornersAt, places.locations);
   vtkDataArray* normals = result->GetNormals();

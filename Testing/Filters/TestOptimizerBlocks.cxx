@@ -115,6 +115,13 @@ void CheckSelection(Checks& c)
   c.True("a selection may name a block", Update(filter).errors.empty());
   c.Equal("of that block the selected points move", CountMoved(BlockOf(filter, 2), Second()), 3);
   c.Equal("of another block none", CountMoved(BlockOf(filter, 0), First()), 0);
+  const auto twins = Blocks();
+  vtkNew<vtkPolyData> twin;
+  twin->ShallowCopy(twins->GetBlock(2));
+  twins->SetBlock(0, twin);
+  filter->SetInputDataObject(twins);
+  filter->Update();
+  c.Equal("nor of a block that shares its points", CountMoved(BlockOf(filter, 0), Second()), 0);
 }
 }
 

@@ -55,7 +55,7 @@ private:
 /// The pairs before and after.
 struct IntersectionReport
 {
-  bool isKnown = false;    ///< it was looked for them
+  bool isKnown = false;    ///< pairs were searched for
   std::int64_t before = 0; ///< number of pairs
   std::int64_t after = 0;
   std::int64_t added = 0; ///< pairs after, and not before
