@@ -118,8 +118,8 @@ void RunOnThreads(const Body& body)
 }
 
 /// RequestData() of all filters: calls body() on threads and turns exceptions into vtkErrorMacro.
-/// Does nothing if \a input is null, which happens for blocks that are not vtkDataSet. The output is
-/// empty after an error or a cancellation.
+/// Does nothing if \a input is null, which happens for blocks that are not vtkDataSet. The output
+/// is empty after an error or a cancellation.
 /// \return what RequestData() returns
 template <typename Filter, typename Body>
 int RunFilter(Filter* filter, vtkDataObject* input, vtkDataObject* output, const Body& body)
