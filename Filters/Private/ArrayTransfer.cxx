@@ -127,6 +127,7 @@ template <typename Arrays>
 std::vector<vtkDataArray*> Numeric(const Arrays& arrays)
 {
   std::vector<vtkDataArray*> numeric;
+  numeric.reserve(arrays.size());
   for (vtkAbstractArray* array : arrays)
   {
     numeric.push_back(vtkDataArray::FastDownCast(array));
