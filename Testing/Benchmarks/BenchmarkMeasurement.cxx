@@ -57,7 +57,7 @@ std::size_t FindStage(const std::string& name)
 {
   for (std::size_t k = 0; k < Stages.size(); ++k)
   {
-    if (name == Stages[k].name)
+    if (name.rfind(Stages[k].name, 0) == 0)
     {
       return k;
     }

@@ -13,16 +13,17 @@ class vtkPolyDataAlgorithm;
 
 constexpr double NoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// As vtkLaplacianMeshOptimizer names them, and short.
+/// What the names that vtkLaplacianMeshOptimizer reports begin with, and short.
 struct Stage
 {
   const char* name;
   const char* title;
 };
-constexpr std::array<Stage, 7> Stages = { { { "Reading the mesh", "reading" },
+constexpr std::array<Stage, 9> Stages = { { { "Reading the mesh", "reading" },
   { "Setting up the equations", "setup" }, { "Solving", "solving" },
-  { "Filtering normals", "filtering" }, { "Following normals", "following" },
-  { "Comparing the surfaces", "comparing" }, { "Writing the result", "writing" } } };
+  { "Filtering normals", "filtering" }, { "Following normals", "following" }, { "Pass ", "passes" },
+  { "Improving the worst triangles", "worst" }, { "Comparing the surfaces", "comparing" },
+  { "Writing the result", "writing" } } };
 
 /// One Update(). What is no vtkLaplacianMeshOptimizer has NoValue everywhere but in seconds.
 struct Measurement
