@@ -19,6 +19,35 @@ Eigen::AlignedBox3d BoxOf(const Points& V, const Triangles& T, Index t)
   return { corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose() };
 }
 
+struct BoxedTriangles
+{
+  std::vector<std::pair<Index, Eigen::AlignedBox3d>> list;
+  Eigen::AlignedBox3d whole;
+
+  void Add(Index t, const Eigen::AlignedBox3d& box)
+  {
+    this->list.push_back({ t, box });
+    this->whole.extend(box);
+  }
+};
+
+/// The groups of the tree that have a triangle of the list.
+std::vector<Index> GroupsOf(const std::vector<Index>& list, const TriangleBvh& tree)
+{
+  std::vector<Index> groups;
+  for (const Index t : list)
+  {
+    groups.push_back(tree.GroupOf(t));
+  }
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  if (!groups.empty() && groups.front() < 0)
+  {
+    groups.erase(groups.begin());
+  }
+  return groups;
+}
+
 /// Appends the pairs that search(k, pairs) finds for every k in [0, count), in this order.
 template <typename Search>
 void Collect(
@@ -85,28 +114,43 @@ void SelfIntersections::FindAtVertices(
 void SelfIntersections::FindApart(const Points& V, const TriangleBvh& tree,
   ProgressMonitor& monitor, std::vector<TrianglePair>& pairs) const
 {
-  const std::vector<Index>& list = this->Listed.Get();
   const Mask& isListed = this->Listed.GetMask();
-  Collect(static_cast<Index>(list.size()), monitor, pairs,
+  const std::vector<Index> groups = GroupsOf(this->Listed.Get(), tree);
+  Collect(static_cast<Index>(groups.size()), monitor, pairs,
     [&](Index k, std::vector<TrianglePair>& found)
     {
-      const Index s = list[k];
-      if (IsDegenerate(this->T, s))
-      {
-        return;
-      }
-      const Eigen::AlignedBox3d box = BoxOf(V, this->T, s);
-      const bool hasHighValence = this->HasHighValence(s);
-      tree.ForEachNear(box,
+      BoxedTriangles listed;
+      tree.ForEachOfGroup(groups[k],
+        [&](Index s)
+        {
+          if (isListed[s])
+          {
+            listed.Add(s, BoxOf(V, this->T, s));
+          }
+        });
+      BoxedTriangles near;
+      tree.ForEachNear(listed.whole,
         [&](Index t)
         {
-          const bool isOther = t > s || (t < s && !isListed[t]);
-          if (isOther && box.intersects(BoxOf(V, this->T, t)) && !this->HaveCommonVertex(s, t) &&
-              !(hasHighValence && this->HasHighValence(t)) && !AreSeparate(V, this->T, s, t))
+          const Eigen::AlignedBox3d box = BoxOf(V, this->T, t);
+          if (box.intersects(listed.whole))
+          {
+            near.Add(t, box);
+          }
+        });
+      for (const auto& [s, box] : listed.list)
+      {
+        for (const auto& [t, other] : near.list)
+        {
+          const bool isCounted = t > s || (t < s && !isListed[t]);
+          if (isCounted && box.intersects(other) && !this->HaveCommonVertex(s, t) &&
+              !(this->HasHighValence(s) && this->HasHighValence(t)) &&
+              !AreSeparate(V, this->T, s, t))
           {
             found.push_back({ std::min(s, t), std::max(s, t) });
           }
-        });
+        }
+      }
     });
 }
 

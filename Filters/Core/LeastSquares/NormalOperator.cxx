@@ -59,21 +59,52 @@ Dots MultiplyUncoupled(const DisplacementConstraints& constraints, const PackedP
     .Get();
 }
 
+/// \param projections PackProjections()
 template <typename Scalar, typename... Rows>
-Dots MultiplyCoupled(const DisplacementConstraints& constraints, const PackedPoints<Scalar>& x,
-  PackedPoints<Scalar>& product, const Rows&... rows)
+Dots MultiplyCoupled(const PackedPoints<Scalar>& projections, const Vector3& freeAxes,
+  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product, const Rows&... rows)
 {
-  const double dot = ParallelSum(static_cast<Index>(x.cols()), 0.0,
-    [rows..., &constraints, x = View(x), product = View(product)](double& sum, Index i) mutable
+  PackedRow<Scalar> free;
+  free << freeAxes.transpose().array().template cast<Scalar>(), 0;
+  const Dots dots = ParallelSum(static_cast<Index>(x.cols()), DotSum(),
+    [rows..., free, projections = View(projections), x = View(x), product = View(product)](
+      DotSum& sum, Index i) mutable
     {
       const PackedRow<Scalar> xi = x.col(i);
-      const PackedRow<Scalar> whole = SumRows(i, xi, rows...);
-      const Vector3 row = constraints.Project(i, ToVector(whole));
-      product.col(i) = whole;
-      product.col(i).template head<3>() = row.transpose().array().template cast<Scalar>();
-      sum += row.dot(ToVector(xi));
+      const PackedRow<Scalar> whole = free * SumRows(i, xi, rows...);
+      const PackedRow<Scalar> axis = projections.col(i);
+      const Scalar kept = axis[3];
+      const Scalar along = (axis * whole).sum(); // the fourth of whole is 0
+      PackedRow<Scalar> row = kept * whole + (1 - 2 * kept) * along * axis;
+      product.col(i) = row;
+      sum.Add(PackedRow<Scalar>(row * xi));
+    }).Get();
+  return Dots(dots.sum(), dots.sum(), dots.sum(), 0);
+}
+
+/// Constraints::Project() for products: with (axis, kept) in each column, x becomes
+/// kept x + (1 - 2 kept) (x . axis) axis, where kept is 1 for a free vertex, whose axis is 0, and
+/// in a plane, 0 along a line and where the vertex is fixed.
+template <typename Scalar>
+PackedPoints<Scalar> PackProjections(const LeastSquaresProblem& problem)
+{
+  const DisplacementConstraints& constraints = problem.constraints;
+  PackedPoints<Scalar> projections(4, problem.IsCoupled() ? problem.Size() : 0);
+  ParallelFor(static_cast<Index>(projections.cols()),
+    [&](Index i)
+    {
+      const auto freedom = constraints.freedom[i];
+      const bool hasAxis = freedom == DisplacementConstraints::IN_PLANE ||
+                           freedom == DisplacementConstraints::ALONG_LINE;
+      Vector3 axis = Vector3::Zero();
+      if (hasAxis)
+      {
+        axis = constraints.axes.row(i);
+      }
+      projections.col(i) << Scalar(axis[0]), Scalar(axis[1]), Scalar(axis[2]),
+        Scalar(freedom >= DisplacementConstraints::IN_PLANE);
     });
-  return Dots(dot, dot, dot, 0);
+  return projections;
 }
 }
 
@@ -81,6 +112,7 @@ template <typename Scalar>
 NormalOperator<Scalar>::NormalOperator(const LeastSquaresProblem& problem)
   : Problem(problem)
   , Products(problem.Terms())
+  , Projections(PackProjections<Scalar>(problem))
 {
 }
 
@@ -95,7 +127,7 @@ Dots NormalOperator<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoint
     if (this->Problem.IsCoupled())
     {
       WithRows<true>([&](const auto&... rows)
-        { dots = MultiplyCoupled(constraints, x, product, rows...); },
+        { dots = MultiplyCoupled(this->Projections, constraints.freeAxes, x, product, rows...); },
         products...);
     }
     else

@@ -61,6 +61,7 @@ private:
 
   const LeastSquaresProblem& Problem;
   decltype(ProductsOf(std::declval<LeastSquaresProblem>().Terms())) Products;
+  PackedPoints<Scalar> Projections; ///< on the displacements allowed, if the problem is coupled
 };
 
 extern template class NormalOperator<float>;

@@ -8,6 +8,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+
 namespace lmo
 {
 /// Closest-point queries on a mesh whose vertices move: a binary tree of bounding boxes, built once
@@ -73,11 +75,34 @@ public:
     }
   }
 
+  /// A number for each group of triangles that lie side by side, at most 16; -1 for a triangle that
+  /// is left out.
+  Index GroupOf(Index triangle) const
+  {
+    const Index leaf = this->LeafOf[triangle];
+    return leaf < 0 ? -1 : leaf / LeavesPerGroup;
+  }
+
+  Index CountGroups() const { return (this->Leaves + LeavesPerGroup - 1) / LeavesPerGroup; }
+
+  /// Calls visit(triangle) for the triangles of a group.
+  template <typename Visit>
+  void ForEachOfGroup(Index group, const Visit& visit) const
+  {
+    const Index end = std::min((group + 1) * LeavesPerGroup, this->Leaves);
+    for (Index k = this->Begin(group * LeavesPerGroup); k < this->Begin(end); ++k)
+    {
+      visit(this->Order[k]);
+    }
+  }
+
   /// Of x to one triangle.
   double SquaredDistance(Index triangle, const Vector3& x) const;
 
 private:
   using Box = Eigen::AlignedBox3d;
+
+  static constexpr Index LeavesPerGroup = 4;
 
   Index Begin(Index leaf) const
   {

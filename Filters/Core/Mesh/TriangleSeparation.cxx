@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace lmo
@@ -17,11 +18,25 @@ namespace
 /// that are multiplied.
 constexpr double Margin = 1e-14;
 
-/// The corners of two triangles, relative to the first corner of the first triangle.
+/// The corners of two triangles, relative to the first corner of the first triangle, and the
+/// largest of their distances from there.
 struct Pair
 {
   Vector3 a[3];
   Vector3 b[3];
+  double size = 0;
+
+  Pair(const std::array<Vector3, 3>& cornersOfA, const std::array<Vector3, 3>& cornersOfB)
+  {
+    double largest = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      this->a[k] = cornersOfA[k];
+      this->b[k] = cornersOfB[k];
+      largest = std::max({ largest, this->a[k].squaredNorm(), this->b[k].squaredNorm() });
+    }
+    this->size = std::sqrt(largest);
+  }
 };
 
 /// True if the axis has all of one triangle on either side.
@@ -31,7 +46,6 @@ bool Separates(const Vector3& axis, const Pair& pair)
   double highestA = -HUGE_VAL;
   double lowestB = HUGE_VAL;
   double highestB = -HUGE_VAL;
-  double largest = 0;
   for (int k = 0; k < 3; ++k)
   {
     const double a = axis.dot(pair.a[k]);
@@ -40,10 +54,9 @@ bool Separates(const Vector3& axis, const Pair& pair)
     highestA = std::max(highestA, a);
     lowestB = std::min(lowestB, b);
     highestB = std::max(highestB, b);
-    largest = std::max({ largest, pair.a[k].squaredNorm(), pair.b[k].squaredNorm() });
   }
   const double gap = std::max(lowestA - highestB, lowestB - highestA);
-  return gap > Margin * axis.norm() * std::sqrt(largest);
+  return gap > 0 && gap > Margin * axis.norm() * pair.size;
 }
 
 /// Two triangles without a common corner: if they do not meet, one of these axes separates them.
@@ -57,6 +70,14 @@ bool AreApart(const Pair& pair)
   {
     return true;
   }
+  // Most neighbours lie nearly in a plane, where these decide; in a plane, the others vanish.
+  for (int k = 0; k < 3; ++k)
+  {
+    if (Separates(normalA.cross(edgesA[k]), pair) || Separates(normalB.cross(edgesB[k]), pair))
+    {
+      return true;
+    }
+  }
   for (const Vector3& edgeA : edgesA)
   {
     for (const Vector3& edgeB : edgesB)
@@ -65,14 +86,6 @@ bool AreApart(const Pair& pair)
       {
         return true;
       }
-    }
-  }
-  // Triangles in a plane, for which the others vanish:
-  for (int k = 0; k < 3; ++k)
-  {
-    if (Separates(normalA.cross(edgesA[k]), pair) || Separates(normalB.cross(edgesB[k]), pair))
-    {
-      return true;
     }
   }
   return false;
