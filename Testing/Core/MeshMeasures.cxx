@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeshMeasures.h"
 
+#include "Checks.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -113,9 +115,45 @@ double DistanceToSurface(const Vector3& x, const TestMesh& mesh)
   double distance = INFINITY;
   for (Eigen::Index t = 0; t < mesh.T.rows(); ++t)
   {
-    distance = std::min(distance, DistanceToTriangle(x, mesh, t));
+    // No triangle is closer than its bounding box.
+    Eigen::AlignedBox3d box(mesh.V.row(mesh.T(t, 0)).transpose());
+    box.extend(mesh.V.row(mesh.T(t, 1)).transpose()).extend(mesh.V.row(mesh.T(t, 2)).transpose());
+    if (!(box.exteriorDistance(Eigen::Vector3d(x)) > distance))
+    {
+      distance = std::min(distance, DistanceToTriangle(x, mesh, t));
+    }
   }
   return distance;
+}
+
+Points GridOn(const TestMesh& mesh, Eigen::Index t)
+{
+  Points grid((GridSteps + 1) * (GridSteps + 2) / 2, 3);
+  Eigen::Index row = 0;
+  for (int i = 0; i <= GridSteps; ++i)
+  {
+    for (int j = 0; i + j <= GridSteps; ++j)
+    {
+      grid.row(row++) = (i * mesh.V.row(mesh.T(t, 0)) + j * mesh.V.row(mesh.T(t, 1)) +
+                          (GridSteps - i - j) * mesh.V.row(mesh.T(t, 2))) /
+                        GridSteps;
+    }
+  }
+  return grid;
+}
+
+double LargestDistance(const TestMesh& from, const TestMesh& to)
+{
+  double largest = 0;
+  for (Eigen::Index t = 0; t < from.T.rows(); ++t)
+  {
+    const Points grid = GridOn(from, t);
+    for (const auto& x : grid.rowwise())
+    {
+      largest = Larger(largest, DistanceToSurface(x, to));
+    }
+  }
+  return largest;
 }
 
 double DistanceToBoundary(const Vector3& x, const TestMesh& mesh)

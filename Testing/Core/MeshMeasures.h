@@ -38,6 +38,12 @@ double DistanceToTriangle(const lmo::Vector3& x, const TestMesh& mesh, Eigen::In
 
 double DistanceToSurface(const lmo::Vector3& x, const TestMesh& mesh);
 
+/// A grid of points on triangle t, its corners included.
+lmo::Points GridOn(const TestMesh& mesh, Eigen::Index t);
+
+/// The largest distance of one surface to another, at GridOn() its triangles.
+double LargestDistance(const TestMesh& from, const TestMesh& to);
+
 /// Distance to the edges of exactly one triangle.
 double DistanceToBoundary(const lmo::Vector3& x, const TestMesh& mesh);
 

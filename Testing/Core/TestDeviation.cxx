@@ -20,26 +20,6 @@ namespace
 {
 constexpr double RoundOff = 1e-15;
 
-/// Largest distance of the points of \a from to the other mesh, found by trying every triangle.
-double DistanceOneWay(const TestMesh& from, const TestMesh& to)
-{
-  double distance = 0;
-  for (Index t = 0; t < from.T.rows(); ++t)
-  {
-    for (int i = 0; i <= GridSteps; ++i)
-    {
-      for (int j = 0; i + j <= GridSteps; ++j)
-      {
-        const Vector3 x = (i * from.V.row(from.T(t, 0)) + j * from.V.row(from.T(t, 1)) +
-                            (GridSteps - i - j) * from.V.row(from.T(t, 2))) /
-                          GridSteps;
-        distance = std::max(distance, DistanceToSurface(x, to));
-      }
-    }
-  }
-  return distance;
-}
-
 OptimizerOptions WithinDeviation(double deviation)
 {
   OptimizerOptions options;
@@ -61,7 +41,7 @@ Outcome Run(const TestMesh& mesh, const OptimizerOptions& options, ProgressMonit
   const TestMesh moved{ outcome.result.positions, mesh.T };
   const double diagonal = (mesh.V.colwise().maxCoeff() - mesh.V.colwise().minCoeff()).norm();
   outcome.relativeDistance =
-    std::max(DistanceOneWay(moved, mesh), DistanceOneWay(mesh, moved)) / diagonal;
+    std::max(LargestDistance(moved, mesh), LargestDistance(mesh, moved)) / diagonal;
   return outcome;
 }
 
@@ -167,7 +147,7 @@ void CheckGrowth(Checks& c, const std::string& name, double growth)
     }
     guard.Accept();
     const TestMesh moved{ guard.GetAccepted(), square.T };
-    reached = std::max(DistanceOneWay(square, moved), DistanceOneWay(moved, square));
+    reached = std::max(LargestDistance(square, moved), LargestDistance(moved, square));
     excess = Larger(excess, reached - guard.GetBound() - RoundOff);
   }
   c.Error(name + " stays within the guard's bound", excess, 0);

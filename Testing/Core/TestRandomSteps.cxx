@@ -53,20 +53,14 @@ bool IsClose(const Vector3& x, const TestMesh& mesh, Eigen::Index hint, double d
 /// Tries points of a grid on each triangle, one by one.
 bool IsWithin(const TestMesh& mesh, const TestMesh& other, double distance)
 {
-  constexpr int steps = GridSteps;
   for (Eigen::Index t = 0; t < mesh.T.rows(); ++t)
   {
-    for (int i = 0; i <= steps; ++i)
+    const Points grid = GridOn(mesh, t);
+    for (const auto& x : grid.rowwise())
     {
-      for (int j = 0; i + j <= steps; ++j)
+      if (!IsClose(x, other, t, distance))
       {
-        const Vector3 x = (i * mesh.V.row(mesh.T(t, 0)) + j * mesh.V.row(mesh.T(t, 1)) +
-                            (steps - i - j) * mesh.V.row(mesh.T(t, 2))) /
-                          steps;
-        if (!IsClose(x, other, t, distance))
-        {
-          return false;
-        }
+        return false;
       }
     }
   }

@@ -8,6 +8,8 @@
 #include "MeshFixtures.h"
 #include "MeshMeasures.h"
 
+#include "Core/Deviation/ReferenceSurface.h"
+#include "Core/Mesh/TriangleNeighbours.h"
 #include "Core/Optimizer/Optimizer.h"
 
 #include <algorithm>
@@ -34,26 +36,6 @@ OptimizerResult Run(
   arrays.reference = std::move(reference);
   ProgressMonitor monitor;
   return Optimize(mesh.V, mesh.T, options, arrays, monitor);
-}
-
-/// The largest distance of one surface to another, at a grid of points.
-double LargestDistance(const TestMesh& from, const TestMesh& to)
-{
-  double largest = 0;
-  for (Eigen::Index t = 0; t < from.T.rows(); ++t)
-  {
-    for (int i = 0; i <= GridSteps; ++i)
-    {
-      for (int j = 0; i + j <= GridSteps; ++j)
-      {
-        const Vector3 x = (i * from.V.row(from.T(t, 0)) + j * from.V.row(from.T(t, 1)) +
-                            (GridSteps - i - j) * from.V.row(from.T(t, 2))) /
-                          GridSteps;
-        largest = Larger(largest, DistanceToSurface(x, to));
-      }
-    }
-  }
-  return largest;
 }
 
 double LargestDistanceBothWays(const TestMesh& a, const TestMesh& b)
@@ -149,6 +131,52 @@ void CheckBeyond(Checks& c)
     result.comparison.before->mean + 0.01);
 }
 
+/// A mesh at a height above a plane, whose triangles lie elsewhere.
+struct AbovePlane
+{
+  static constexpr double Height = 0.3;
+  const TestMesh mesh = Transformed(Grid(4, 0.2), 1, { 0, 0, Height });
+  const TestMesh plane = Transformed(Grid(3, 0), 2, { 0, 0, 0 });
+  const MeshTopology topology = BuildTopology(static_cast<Index>(mesh.V.rows()), mesh.T);
+  const MeshTopology planeTopology = BuildTopology(static_cast<Index>(plane.V.rows()), plane.T);
+  const Triangles neighbours = FindTriangleNeighbours(mesh.T, topology);
+  const Triangles planeNeighbours = FindTriangleNeighbours(plane.T, planeTopology);
+  ProgressMonitor monitor;
+  TriangleBvh tree{ plane.V, plane.T, monitor };
+};
+
+void CheckVertexLimits(Checks& c)
+{
+  AbovePlane above;
+  const auto isExceeded = [&](double distance, double height)
+  {
+    const VertexLimits limits(above.mesh.V, above.tree, distance, above.monitor);
+    return limits.IsExceeded(0, { above.mesh.V(0, 0), above.mesh.V(0, 1), height }, above.tree);
+  };
+  constexpr double height = AbovePlane::Height;
+  c.True("what begins beyond the distance may come nearer", !isExceeded(0.1, 0.999 * height));
+  c.True("but not go farther", isExceeded(0.1, 1.001 * height));
+  c.True("what begins within the distance may use it", !isExceeded(0.5, 0.499));
+  c.True("but no more", isExceeded(0.5, 0.501));
+}
+
+void CheckTriangleLimits(Checks& c)
+{
+  AbovePlane above;
+  const SurfaceView mesh{ above.mesh.V, above.mesh.T, above.neighbours };
+  const SurfaceView plane{ above.plane.V, above.plane.T, above.planeNeighbours };
+  DeviationCertificates certificates(FindSeeds(mesh, above.tree, above.monitor));
+  const DistanceLimits limits =
+    CertifyInput(certificates, mesh, plane, above.tree, 0.1, above.monitor);
+  constexpr double height = AbovePlane::Height;
+  for (Index t = 0; t < static_cast<Index>(above.mesh.T.rows()); ++t)
+  {
+    c.Greater(
+      "the limit of a triangle is no smaller than its distance", limits(t), height - RoundOff);
+    c.AtMost("and hardly larger", limits(t), 1.003 * height);
+  }
+}
+
 void CheckFarAway(Checks& c)
 {
   const TestMesh far = Transformed(Reference(), 1, { 50, 0, 0 });
@@ -170,5 +198,7 @@ int TestReference(int argc, char* argv[])
   groups.Run("SecondRun", CheckSecondRun);
   groups.Run("Beyond", CheckBeyond);
   groups.Run("FarAway", CheckFarAway);
+  groups.Run("VertexLimits", CheckVertexLimits);
+  groups.Run("TriangleLimits", CheckTriangleLimits);
   return groups.Result();
 }
