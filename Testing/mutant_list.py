@@ -233,7 +233,7 @@ MUTANTS = [
          "if (!std::binary_search(this->InputPairs.begin(), this->InputPairs.end(), pair))",
          "if (false)", "TestSelfIntersections-ThinWalls"),
         ("all pairs without a common vertex are looked at", "Deviation/SelfIntersections.cxx",
-         "const bool isOther = t > s || (t < s && !isListed[t]);", "const bool isOther = t > s + 9;",
+         "const bool isCounted = t > s || (t < s && !isListed[t]);", "const bool isOther = t > s + 9;",
          "TestSelfIntersections-Report"),
         ("new pairs are counted", "Deviation/SelfIntersections.cxx",
          "report.added += !std::binary_search(before.begin(), before.end(), pair);", "",
