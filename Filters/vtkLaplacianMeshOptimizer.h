@@ -587,6 +587,11 @@ public:
   vtkGetMacro(RelativeVolumeChange, double);
 
   /**
+   * 1 if the surface, or one of the blocks, is closed and thus has a RelativeVolumeChange; else 0.
+   */
+  int HasVolume() const { return this->IsClosed; }
+
+  /**
    * Number of triangles whose normal turned by more than a right angle.
    */
   vtkGetMacro(FlippedTriangles, vtkIdType);
@@ -647,6 +652,12 @@ public:
    */
   virtual int UpdateMetrics();
 
+  /**
+   * MaximumDeviation as a length in the unit of the points, for the input as it is now; the largest
+   * if the input has several blocks, and -1 if there is no input.
+   */
+  double GetDeviationLength();
+
 protected:
   vtkLaplacianMeshOptimizer();
   ~vtkLaplacianMeshOptimizer() override;
@@ -704,6 +715,7 @@ protected:
   double MaximumDisplacement = 0;
   double RelativeMaximumDisplacement = 0;
   double RelativeVolumeChange = 0;
+  bool IsClosed = false;
   vtkIdType FlippedTriangles = 0;
   int Iterations = 0;
   double RelativeResidual = 0;

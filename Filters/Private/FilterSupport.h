@@ -7,8 +7,12 @@
 #include "Core/Base/ThreadPool.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkDataObject.h"
+#include "vtkExecutive.h"
+#include "vtkOutputWindow.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkVersionMacros.h"
 
 #include <algorithm>
@@ -117,6 +121,34 @@ void RunOnThreads(const Body& body)
     });
 }
 
+/// The next error of a filter's executive: dropped if it only says that the filter failed, which
+/// the filter has said already, with the reason.
+class FailureObserver : public vtkCommand
+{
+public:
+  static FailureObserver* New() { return new FailureObserver; }
+
+  void Execute(vtkObject* executive, unsigned long, void* text) override
+  {
+    const auto* message = static_cast<const char*>(text);
+    executive->RemoveObserver(this);
+    if (!std::strstr(message, "returned failure for request"))
+    {
+      vtkOutputWindowDisplayErrorText(message);
+    }
+  }
+};
+
+/// Makes the error that a filter has just reported the only one of this failure.
+inline void DropErrorOfExecutive(vtkAlgorithm* filter)
+{
+  if (vtkObject::GetGlobalWarningDisplay())
+  {
+    const auto observer = vtk::TakeSmartPointer(FailureObserver::New());
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, observer);
+  }
+}
+
 /// RequestData() of all filters: calls body() on threads and turns exceptions into vtkErrorMacro.
 /// Does nothing if \a input is null, which happens for blocks that are not vtkDataSet. The output
 /// is empty after an error or a cancellation.
@@ -147,6 +179,7 @@ int RunFilter(Filter* filter, vtkDataObject* input, vtkDataObject* output, const
     vtkErrorWithObjectMacro(filter, << error.what());
   }
   output->Initialize();
+  DropErrorOfExecutive(filter);
   return 0;
 }
 }

@@ -5,9 +5,15 @@
 #include "PolyDataOutput.h"
 #include "ResultArrays.h"
 
+#include "vtkBoundingBox.h"
+#include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,18 +23,44 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
+namespace
+{
+/// Of the bounding box of the points that cells use; -1 if there are none.
+double DiagonalOf(vtkDataObject* data)
+{
+  auto* surface = vtkDataSet::SafeDownCast(data);
+  if (!surface || surface->GetNumberOfCells() == 0)
+  {
+    return -1;
+  }
+  double bounds[6];
+  if (auto* polygons = vtkPolyData::SafeDownCast(data))
+  {
+    polygons->GetCellsBounds(bounds);
+  }
+  else
+  {
+    surface->GetBounds(bounds);
+  }
+  return vtkBoundingBox(bounds).GetDiagonalLength();
+}
+}
+
 void vtkLaplacianMeshOptimizer::Session::SetMetrics(
   vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result)
 {
   Tables::VisitMetrics(*filter, result,
     [](const char*, auto& value, auto newValue, auto...)
     { value = static_cast<std::decay_t<decltype(value)>>(newValue); });
+  filter->IsClosed = result.comparison.isClosed;
 }
 
 void vtkLaplacianMeshOptimizer::Session::AddMetrics(const lmo::OptimizerResult& result)
 {
   const auto triangles = static_cast<double>(result.comparison.triangles);
   const bool isFirst = this->Totals.empty();
+  bool& isClosed = this->Filter->IsClosed;
+  isClosed = result.comparison.isClosed || (isClosed && !isFirst);
   std::size_t row = 0;
   Tables::VisitMetrics(*this->Filter, result,
     [&](const char*, auto& value, auto newValue, Combination combination, bool = true)
@@ -57,6 +89,26 @@ void vtkLaplacianMeshOptimizer::Session::AddMetrics(const lmo::OptimizerResult& 
       value = static_cast<std::decay_t<decltype(value)>>(this->Totals[row++]);
     });
   this->TotalTriangles += triangles;
+}
+
+double vtkLaplacianMeshOptimizer::GetDeviationLength()
+{
+  vtkDataObject* input = this->GetInputDataObject(0, 0);
+  double diagonal = -1;
+  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  {
+    const auto leaf = vtk::TakeSmartPointer(blocks->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      diagonal = std::max(diagonal, DiagonalOf(leaf->GetCurrentDataObject()));
+    }
+  }
+  else
+  {
+    diagonal = DiagonalOf(input);
+  }
+  const double unit = this->DeviationIsAbsolute ? 1 : diagonal;
+  return diagonal < 0 ? -1 : this->MaximumDeviation * unit;
 }
 
 void vtkLaplacianMeshOptimizer::Session::Begin(vtkDataObject* data)

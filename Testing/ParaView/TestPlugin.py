@@ -83,6 +83,9 @@ RESULTS = [
     "PinnedBadTriangles",
 ]
 
+# What the panel asks the filter for, beside its results.
+INFORMATION = ["AreMetricsUpToDate", "HasVolume", "DeviationLength"]
+
 # Those of Optimize Within Deviation alone.
 OF_DEVIATION = RESULTS[RESULTS.index("HausdorffBound"):]
 
@@ -95,8 +98,8 @@ PROPERTIES = {
         *NUMBERS,
         *ARRAYS,
         *RESULTS,
+        *INFORMATION,
         "ReadResults",
-        "AreMetricsUpToDate",
     ],
     "MeshLaplacian": [
         "Input",
@@ -237,6 +240,50 @@ def made(name):
 
 def prototype(name):
     return servermanager.ProxyManager().GetPrototypeProxy("filters", name)
+
+
+def nested(element):
+    numbers = range(element.GetNumberOfNestedElements() if element else 0)
+    return [element.GetNestedElement(number) for number in numbers]
+
+
+def descendants(element):
+    for child in nested(element):
+        yield child
+        yield from descendants(child)
+
+
+# Of the properties that others depend on: the defaults, of a closed surface after an execution.
+SHOWN_VALUES = {
+    "Mode": 3,
+    "InputMeanRadiusRatio": 0.5,
+    "HasVolume": 1,
+    "DeviationLength": 0.1,
+    "DeviationIsAbsolute": 0,
+    "CheckSelfIntersections": 0,
+    "FeatureConstraints": 0,
+    "FeatureSmoothing": 0,
+    "FeatureArray": "None",
+    "DetectFeatures": 1,
+    "PreserveVolume": 0,
+    "PositionWeighting": 0,
+    "LaplacianWeighting": 0,
+    "TangentPlaneConstraints": 0,
+}
+
+
+def holds(element, values):
+    """Whether a decorator, or an expression in one, shows its property."""
+    if element.GetName() == "Expression":
+        combine = {"and": all, "or": any}[element.GetAttribute("type")]
+        return combine(holds(child, values) for child in nested(element))
+    if element.GetAttribute("type") == "CompositeDecorator":
+        return all(holds(child, values) for child in nested(element))
+    if element.GetAttribute("type") == "SessionTypeDecorator":
+        return False
+    wanted = element.GetAttribute("values") or element.GetAttribute("value")
+    is_equal = str(values[element.GetAttribute("property")]) in wanted.split()
+    return is_equal != (element.GetAttribute("inverse") == "1")
 
 
 def half_sphere():
@@ -534,6 +581,52 @@ class Results(unittest.TestCase):
         self.assertNotEqual(shown, -1)
 
 
+    def test_the_volume_is_that_of_a_closed_surface(self):
+        for surface, has_volume in [(Sphere(), 1), (half_sphere(), 0)]:
+            optimizer = LaplacianMeshOptimizer(Input=surface)
+            optimizer.UpdatePipeline()
+            optimizer.UpdatePropertyInformation()
+            self.assertEqual(optimizer.HasVolume, has_volume)
+
+    def test_the_deviation_is_known_as_a_length_before_the_first_execution(self):
+        sphere = Sphere(Radius=2)
+        optimizer = LaplacianMeshOptimizer(Input=sphere, MaximumDeviation=0.001)
+        sphere.UpdatePipeline()
+        optimizer.UpdateVTKObjects()
+        optimizer.UpdatePropertyInformation()
+        bounds = np.reshape(fetched(sphere).GetBounds(), (3, 2))
+        diagonal = np.linalg.norm(bounds[:, 1] - bounds[:, 0])
+        self.assertAlmostEqual(optimizer.DeviationLength, 0.001 * diagonal, delta=1e-12)
+
+
+class Colors(unittest.TestCase):
+    """Of the arrays of triangle quality, from the first time that they are shown."""
+
+    def test_red_is_bad_and_blue_is_good_in_a_range_that_stays(self):
+        for name in ("RadiusRatio", "InputRadiusRatio"):
+            table = GetColorTransferFunction(name)
+            points = np.reshape(table.RGBPoints, (-1, 4))
+            self.assertEqual((points[0, 0], points[-1, 0]), (0, 1))
+            self.assertGreater(points[0, 1], points[0, 3])
+            self.assertGreater(points[-1, 3], points[-1, 1])
+            self.assertEqual(table.ColorSpace, "Lab")
+            self.assertEqual(table.AutomaticRescaleRangeMode, "Never")
+
+    def test_other_arrays_have_the_colours_of_paraview(self):
+        other = GetColorTransferFunction("Displacement")
+        self.assertNotEqual(list(other.RGBPoints), list(GetColorTransferFunction("RadiusRatio").RGBPoints))
+
+    def test_colouring_does_not_change_the_range(self):
+        quality = TriangleRadiusRatio(Input=Sphere())
+        view = CreateRenderView()
+        display = Show(quality, view)
+        ColorBy(display, ("CELLS", "RadiusRatio"))
+        display.RescaleTransferFunctionToDataRange(False)
+        points = np.reshape(GetColorTransferFunction("RadiusRatio").RGBPoints, (-1, 4))
+        self.assertEqual((points[0, 0], points[-1, 0]), (0, 1))
+        Delete(view)
+
+
 class Panel(unittest.TestCase):
     """What the panel is built from."""
 
@@ -548,43 +641,94 @@ class Panel(unittest.TestCase):
             grouped += [optimizer.GetPropertyName(prop) for prop in properties]
         self.assertEqual(
             sorted(grouped),
-            sorted(set(PROPERTIES["LaplacianMeshOptimizer"]) - {"Input", "AreMetricsUpToDate"}),
+            sorted(
+                set(PROPERTIES["LaplacianMeshOptimizer"])
+                - {"Input", "AreMetricsUpToDate", "HasVolume"}
+            ),
         )
 
     def decorators(self, name):
         hints = prototype("LaplacianMeshOptimizer").GetProperty(name).GetHints()
-        numbers = range(hints.GetNumberOfNestedElements() if hints else 0)
-        elements = [hints.GetNestedElement(number) for number in numbers]
-        return [one for one in elements if one.GetName() == "PropertyWidgetDecorator"]
+        return [one for one in nested(hints) if one.GetName() == "PropertyWidgetDecorator"]
+
+    def is_shown(self, name, **values):
+        """Whether the panel shows a property, advanced or not, where others have these values."""
+        values = {**SHOWN_VALUES, **values}
+        return all(holds(decorator, values) for decorator in self.decorators(name))
 
     def test_decorators_name_properties(self):
         for name in PROPERTIES["LaplacianMeshOptimizer"]:
             for decorator in self.decorators(name):
-                self.assertIn(decorator.GetAttribute("property"), ENUMERATIONS | NUMBERS, name)
+                for element in [decorator, *descendants(decorator)]:
+                    if element.GetAttribute("property"):
+                        self.assertIn(
+                            element.GetAttribute("property"), PROPERTIES["LaplacianMeshOptimizer"]
+                        )
 
     def test_each_mode_shows_what_it_uses(self):
         uses = {
-            "Optimize Triangles": {"ScaleFactor", "PositionWeighting", "FeatureAngle"},
-            "Smooth": {"LaplacianType", "ScaleFactor", "PositionWeighting", "FeatureAngle"},
+            "Optimize Triangles": {"ScaleFactor", "PositionWeighting", "FeatureConstraints"},
+            "Smooth": {"LaplacianType", "ScaleFactor", "PositionWeighting", "FeatureConstraints"},
             "Prescribed Laplacians": {"LaplacianType", "ScaleFactor", "PositionWeighting"},
             "Optimize Within Deviation": {
                 "MaximumDeviation",
+                "DeviationLength",
+                "DetectFeatures",
                 "FeatureAngle",
+                "FeatureArray",
                 "RelativeHausdorffBound",
+                "PinnedBadTriangles",
+                "SelfIntersections",
             },
             "Smooth Guided": {"NormalWidth"},
         }
         for mode, name in enumerate(uses):
-            shown = set()
-            for candidate in set().union(*uses.values()):
-                modes = [
-                    (element.GetAttribute("values") or element.GetAttribute("value")).split()
-                    for element in self.decorators(candidate)
-                    if element.GetAttribute("property") == "Mode"
-                ]
-                if all(str(mode) in values for values in modes):
-                    shown.add(candidate)
+            candidates = set().union(*uses.values())
+            shown = {candidate for candidate in candidates if self.is_shown(candidate, Mode=mode)}
             self.assertEqual(shown, uses[name], name)
+
+    def test_features_are_shown_where_they_are_used(self):
+        for name in ("DetectFeatures", "FeatureAngle", "FeatureArray"):
+            for mode in (0, 1):
+                self.assertTrue(self.is_shown(name, Mode=mode, FeatureConstraints=1))
+            self.assertTrue(self.is_shown(name, Mode=1, FeatureSmoothing=1))
+            self.assertFalse(self.is_shown(name, Mode=0, FeatureSmoothing=1))
+            self.assertFalse(self.is_shown(name, Mode=2, FeatureConstraints=1))
+            self.assertFalse(self.is_shown(name, Mode=4, FeatureConstraints=1))
+
+    def test_a_feature_array_is_shown_where_volumes_are_preserved(self):
+        for mode in (1, 4):
+            self.assertTrue(self.is_shown("FeatureArray", Mode=mode, PreserveVolume=1))
+
+    def test_a_feature_array_hides_the_detection(self):
+        for name in ("DetectFeatures", "FeatureAngle"):
+            self.assertFalse(self.is_shown(name, FeatureArray="edges"))
+        self.assertFalse(self.is_shown("FeatureAngle", DetectFeatures=0))
+
+    def test_feature_smoothing_hides_what_it_includes(self):
+        self.assertFalse(self.is_shown("FeatureConstraints", Mode=1, FeatureSmoothing=1))
+        self.assertTrue(self.is_shown("FeatureConstraints", Mode=0, FeatureSmoothing=1))
+
+    def test_no_result_is_shown_before_the_first_execution(self):
+        for name in RESULTS:
+            self.assertTrue(self.is_shown(name), name)
+            self.assertFalse(self.is_shown(name, InputMeanRadiusRatio=-1), name)
+
+    def test_a_volume_change_is_shown_of_closed_surfaces(self):
+        self.assertFalse(self.is_shown("RelativeVolumeChange", HasVolume=0))
+
+    def test_intersections_are_shown_where_they_are_counted(self):
+        for name in ("SelfIntersections", "InputSelfIntersections"):
+            self.assertTrue(self.is_shown(name, Mode=1, CheckSelfIntersections=1))
+            self.assertFalse(self.is_shown(name, Mode=1))
+
+    def test_a_length_is_not_shown_twice(self):
+        self.assertFalse(self.is_shown("DeviationLength", DeviationIsAbsolute=1))
+
+    def test_the_results_need_no_button_in_one_process(self):
+        (decorator,) = self.decorators("ReadResults")
+        self.assertEqual(decorator.GetAttribute("type"), "SessionTypeDecorator")
+        self.assertEqual(decorator.GetAttribute("requires"), "parallel_data_server")
 
 
 class Presets(unittest.TestCase):

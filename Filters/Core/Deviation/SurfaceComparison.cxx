@@ -74,6 +74,7 @@ SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
   comparison.maximumDisplacement = LargestDisplacement(before, after, subdomain);
   comparison.relativeMaximumDisplacement =
     diagonal > 0 ? comparison.maximumDisplacement / diagonal : 0;
+  comparison.isClosed = isClosed;
   comparison.relativeVolumeChange =
     isClosed ? RelativeVolumeChange(before, after, triangles, box.center().transpose(), subdomain)
              : 0;

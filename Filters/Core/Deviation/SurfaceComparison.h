@@ -18,6 +18,7 @@ struct SurfaceComparison
   MeshQuality after;
   double maximumDisplacement = 0;         ///< in the unit of the mesh
   double relativeMaximumDisplacement = 0; ///< divided by the bounding-box diagonal of \a before
+  bool isClosed = false;                  ///< and has a volume
   double relativeVolumeChange = 0;        ///< (after - before) / |before|; 0 for an open surface
   std::int64_t triangles = 0;             ///< number of them
   std::int64_t flippedTriangles = 0;      ///< HasTurnedOver()
