@@ -49,6 +49,12 @@ install_build_packages() {
   if dpkg-query -W -f='${Depends}' python3-paraview | grep -q python3-vtk9; then
     install_packages libvtk9-dev
   fi
+  # The tools with which ParaView makes the client's help, of the Qt that it has.
+  if [ -n "$(dependencies paraview '^libqt6')" ]; then
+    install_if_available qt6-tools-dev qt6-documentation-tools xsltproc
+  else
+    install_if_available qttools5-dev qtxmlpatterns5-dev-tools xsltproc
+  fi
 }
 
 # dependencies PACKAGE PATTERN: the packages that it depends on and whose names match.

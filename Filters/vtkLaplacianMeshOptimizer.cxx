@@ -65,8 +65,10 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
     {
       arrays = this->ReadArrays(input, this->SelectedPointsOf(inputs, input));
       arrays.reference = this->ReadReference(reference);
+      arrays.earlier = this->FindEarlierStep(inputs);
     });
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
+  this->KeepStep(inputs, result);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
   this->Warn(options, result);
   if (result.isCancelled)
@@ -83,6 +85,16 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   this->WriteMetrics(result, results, output->GetFieldData());
   this->WritePoints(std::move(result), input, reference, results, output);
   results.Warn(this->Filter);
+  this->HasResult = true;
+}
+
+void vtkLaplacianMeshOptimizer::Session::ReturnInput(const Inputs& inputs, vtkPolyData* output)
+{
+  vtkPolyData* surface = this->Surface.Of(inputs.data);
+  if (this->HasResult && !this->IsNew(surface))
+  {
+    output->ShallowCopy(surface);
+  }
 }
 
 void vtkLaplacianMeshOptimizer::Session::Warn(
@@ -266,7 +278,14 @@ int vtkLaplacianMeshOptimizer::RequestData(
     this->State = this->MakeSession();
   }
   return lmo::RunFilter(
-    this, inputs.data, output, [&] { this->State->Execute(inputs, output, pieces); });
+    this, inputs.data, output, [&] { this->State->Execute(inputs, output, pieces); },
+    [&]
+    {
+      if (pieces == 1)
+      {
+        this->State->ReturnInput(inputs, output);
+      }
+    });
 }
 
 void vtkLaplacianMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

@@ -560,6 +560,20 @@ public:
 
   ///@{
   /**
+   * For OPTIMIZE_WITHIN_DEVIATION of a surface that deforms over time, with the same polygons: start
+   * from the previous execution's result, moved as the surface has moved since, so that points move
+   * as smoothly as those of the input. That is the result as long as it keeps half of what the last
+   * passes gained in mean radius ratio; otherwise new passes follow, and points jump. The distance
+   * is guaranteed as ever. The result depends on the steps before, which must be executed in order.
+   * Default: off.
+   */
+  vtkSetMacro(StartFromPreviousTimeStep, vtkTypeBool);
+  vtkGetMacro(StartFromPreviousTimeStep, vtkTypeBool);
+  vtkBooleanMacro(StartFromPreviousTimeStep, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
    * triangles. Like all metrics below, these are valid after Update(), and are those of all blocks
    * of a composite data set: means of all triangles, sums, and values of largest magnitude. They
@@ -707,6 +721,7 @@ protected:
   vtkTypeBool WeldCoincidentPoints = 1;
   vtkTypeBool CheckSelfIntersections = 0;
   vtkTypeBool DiagnosticArrays = 1;
+  vtkTypeBool StartFromPreviousTimeStep = 0;
 
   double MeanRadiusRatio = -1;
   double MinimumRadiusRatio = -1;

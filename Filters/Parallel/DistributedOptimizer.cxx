@@ -21,12 +21,12 @@ std::optional<Values> FromPiece(
   return mesh.FromPiece(array ? *array : Values(0, columns));
 }
 
-/// All but features and the reference, whose modes CheckOptions() refuses. Another one does not
-/// compile here before it has been thought of.
+/// All but features, reference and earlier step, whose modes CheckOptions() refuses. Another one
+/// does not compile here before it has been thought of.
 VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
 {
   const auto& [positionWeights, laplacianWeights, prescribedLaplacians, fixedPoints, featurePoints,
-    labels, reference] = arrays;
+    labels, reference, earlier] = arrays;
   VertexArrays result;
   result.positionWeights = FromPiece(mesh, positionWeights, 1);
   result.laplacianWeights = FromPiece(mesh, laplacianWeights, 1);

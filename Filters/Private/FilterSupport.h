@@ -19,6 +19,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 #include <new>
 
 namespace lmo
@@ -152,9 +153,12 @@ inline void DropErrorOfExecutive(vtkAlgorithm* filter)
 /// RequestData() of all filters: calls body() on threads and turns exceptions into vtkErrorMacro.
 /// Does nothing if \a input is null, which happens for blocks that are not vtkDataSet. The output
 /// is empty after an error or a cancellation.
+/// \param afterError called after an error, when the output is empty
 /// \return what RequestData() returns
 template <typename Filter, typename Body>
-int RunFilter(Filter* filter, vtkDataObject* input, vtkDataObject* output, const Body& body)
+int RunFilter(
+  Filter* filter, vtkDataObject* input, vtkDataObject* output, const Body& body,
+  const std::function<void()>& afterError = [] {})
 {
   if (!input || !output)
   {
@@ -179,6 +183,7 @@ int RunFilter(Filter* filter, vtkDataObject* input, vtkDataObject* output, const
     vtkErrorWithObjectMacro(filter, << error.what());
   }
   output->Initialize();
+  afterError();
   DropErrorOfExecutive(filter);
   return 0;
 }

@@ -64,6 +64,7 @@ void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
   this->InputOrigin = this->OriginOf(input);
   this->Numbering = std::move(numbering);
   this->Optimizer = std::move(optimizer);
+  this->HasResult = false;
 }
 
 lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(vtkPolyData* data) const
@@ -118,6 +119,51 @@ std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::R
     throw lmo::InputError("The Reference has no triangles. Connect a surface, or nothing.");
   }
   return this->Reference;
+}
+
+vtkLaplacianMeshOptimizer::Session::TimeSteps* vtkLaplacianMeshOptimizer::Session::StepsOf(
+  const Inputs& inputs)
+{
+  if (this->Filter->StartFromPreviousTimeStep && this->Filter->Mode == OPTIMIZE_WITHIN_DEVIATION)
+  {
+    return &this->Steps[this->CompositeIndexOf(inputs.data).value_or(0)];
+  }
+  this->Steps.clear();
+  return nullptr;
+}
+
+std::shared_ptr<const lmo::EarlierStep> vtkLaplacianMeshOptimizer::Session::FindEarlierStep(
+  const Inputs& inputs)
+{
+  TimeSteps* steps = this->StepsOf(inputs);
+  if (!steps)
+  {
+    return nullptr;
+  }
+  const lmo::MeshQuantities& mesh = this->Optimizer->GetMesh();
+  const auto isSame = [](const auto& a, const auto& b) { return a.rows() == b.rows() && a == b; };
+  if (!steps->last || !isSame(steps->last->triangles, mesh.GetTriangles()) ||
+      steps->last->before.rows() != mesh.GetPoints().rows())
+  {
+    steps->start.reset();
+  }
+  else if (!isSame(steps->last->before, mesh.GetPoints()))
+  {
+    steps->start = steps->last;
+  } // else it is the last step once more, which starts as it did before
+  return steps->start;
+}
+
+void vtkLaplacianMeshOptimizer::Session::KeepStep(
+  const Inputs& inputs, const lmo::OptimizerResult& result)
+{
+  TimeSteps* steps = this->StepsOf(inputs);
+  if (steps && !result.isCancelled)
+  {
+    const lmo::MeshQuantities& mesh = this->Optimizer->GetMesh();
+    steps->last = std::make_shared<lmo::EarlierStep>(lmo::EarlierStep{
+      mesh.GetPoints(), result.positions, result.deviation.gain, mesh.GetTriangles() });
+  }
 }
 
 void vtkLaplacianMeshOptimizer::Session::AddDataOfReference(

@@ -10,6 +10,8 @@
 
 #include "vtkLaplacianMeshOptimizer.h"
 
+#include <map>
+
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
 #endif
@@ -54,6 +56,11 @@ public:
   /// \param pieces in which the whole surface comes
   void Execute(const Inputs& inputs, vtkPolyData* output, int pieces);
 
+  /// After an error: makes the input the output, if it has given a result before. A view then does
+  /// not become empty while someone tries settings. For a new input the output stays empty, so that
+  /// no script takes the input for the result.
+  void ReturnInput(const Inputs& inputs, vtkPolyData* output);
+
   /// Sets the metrics that the filter's Get methods return.
   static void SetMetrics(vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result);
 
@@ -94,6 +101,13 @@ protected:
   std::unique_ptr<lmo::Optimizer> Optimizer;
 
 private:
+  /// The last execution, and what it started from; null where there is none.
+  struct TimeSteps
+  {
+    std::shared_ptr<const lmo::EarlierStep> last;
+    std::shared_ptr<const lmo::EarlierStep> start;
+  };
+
   /// \throw InputError if a property is out of range.
   lmo::OptimizerOptions ReadOptions(vtkPolyData* input) const;
 
@@ -118,6 +132,15 @@ private:
   /// \return null if there is none
   /// \throw InputError if it has no triangles, and as lmo::ReadMesh() does.
   std::shared_ptr<const lmo::MeshQuantities> ReadReference(vtkPolyData* reference);
+
+  /// The steps of the input, if the filter is to start from the previous one; else null.
+  TimeSteps* StepsOf(const Inputs& inputs);
+
+  /// The step that the filter starts from; null if there is none.
+  std::shared_ptr<const lmo::EarlierStep> FindEarlierStep(const Inputs& inputs);
+
+  /// Keeps a result for the next step.
+  void KeepStep(const Inputs& inputs, const lmo::OptimizerResult& result);
 
   /// Adds the point data and field data that the reference has and the output has not.
   /// \param reference may be null
@@ -161,6 +184,8 @@ private:
   lmo::CachedSurface SurfaceOfReference;
   lmo::MeshNumbering Numbering;
   Origin InputOrigin;
+  bool HasResult = false;                  ///< of the optimizer
+  std::map<unsigned int, TimeSteps> Steps; ///< of each block by its flat index; 0 without blocks
   std::shared_ptr<const lmo::MeshQuantities> Reference;
   lmo::MeshNumbering ReferenceNumbering;
   Origin ReferenceOrigin;

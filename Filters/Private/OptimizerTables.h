@@ -101,6 +101,7 @@ struct vtkLaplacianMeshOptimizer::Tables
     row("CheckSelfIntersections", filter.CheckSelfIntersections, Switch{},
       options.checkSelfIntersections);
     row("DiagnosticArrays", filter.DiagnosticArrays, Switch{});
+    row("StartFromPreviousTimeStep", filter.StartFromPreviousTimeStep, Switch{});
   }
 
   /// Calls row() with the name of each metric, the filter's value and that of a result, how it is

@@ -10,10 +10,14 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkLaplacianMeshOptimizer.h"
+#include "vtkLogger.h"
 #include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkTestErrorObserver.h"
 
 #include <cmath>
@@ -276,6 +280,41 @@ void CheckPieces(Checks& c)
   c.Says("pieces are an error that names what is missing", error, "PETSc");
   c.True("there is no result for a piece", IsEmpty(filter->GetOutput()));
 }
+
+void CheckAfterwards(Checks& c)
+{
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(MakePolyData(Icosphere(1)));
+  filter->Update();
+  filter->SetTolerance(-1);
+  c.Says("settings are an error after a result, too", Update(filter).errors, "Tolerance");
+  c.Equal("after a result, an error gives the input back", filter->GetOutput()->GetNumberOfPoints(),
+    vtkIdType(42));
+  c.True("the input has no results", !filter->GetOutput()->GetCellData()->HasArray("RadiusRatio"));
+  filter->SetInputData(MakePolyData(Icosphere(2)));
+  Update(filter);
+  c.True("of a new input an error gives nothing", IsEmpty(filter->GetOutput()));
+}
+
+void CheckNumberOfErrors(Checks& c)
+{
+  const auto window = vtkSmartPointer<vtkOutputWindow>(vtkOutputWindow::GetInstance());
+  vtkNew<vtkStringOutputWindow> heard;
+  vtkOutputWindow::SetInstance(heard);
+  const auto verbosity = vtkLogger::GetCurrentVerbosityCutoff();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
+  vtkNew<Optimizer> filter;
+  filter->SetInputData(MakePolyData(Icosphere(1)));
+  filter->SetTolerance(-1);
+  filter->Update();
+  filter->SetInputConnection(nullptr);
+  filter->Update();
+  vtkLogger::SetStderrVerbosity(verbosity);
+  vtkOutputWindow::SetInstance(window);
+  const std::string output = heard->GetOutput();
+  c.True("one fault is one error", output.find("returned failure") == std::string::npos);
+  c.Says("errors of the pipeline are still told", output, "not optional");
+}
 }
 
 int TestOptimizerErrors(int argc, char* argv[])
@@ -289,5 +328,7 @@ int TestOptimizerErrors(int argc, char* argv[])
   groups.Run("Overflow", CheckOverflow);
   groups.Run("Normals", CheckNormals);
   groups.Run("Pieces", CheckPieces);
+  groups.Run("Afterwards", CheckAfterwards);
+  groups.Run("NumberOfErrors", CheckNumberOfErrors);
   return groups.Result();
 }

@@ -172,4 +172,13 @@ Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
   }
   return result;
 }
+
+Points MoveWithSurface(const Points& before, const Points& after, const Triangles& triangles,
+  const AdjacencyLists& cornersAt, const Points& positions)
+{
+  std::vector<SurfaceLocation> places(positions.rows());
+  ParallelFor(static_cast<Index>(positions.rows()), [&](Index i)
+    { places[i] = WalkToClosestPoint(before, triangles, cornersAt, i, positions.row(i)); });
+  return positions + InterpolateLinearly(triangles, after - before, places);
+}
 }

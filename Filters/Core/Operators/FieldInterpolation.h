@@ -29,6 +29,13 @@ Fields InterpolateLinearly(
 Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
   const AdjacencyLists& cornersAt, const Fields& fields,
   const std::vector<SurfaceLocation>& locations);
+
+/// Where positions near a surface are when it has moved: each moves as the place of the surface
+/// that is closest to it.
+/// \param before, after vertices of the surface
+/// \param positions one for each vertex, near which the closest place is sought
+Points MoveWithSurface(const Points& before, const Points& after, const Triangles& triangles,
+  const AdjacencyLists& cornersAt, const Points& positions);
 }
 
 #endif

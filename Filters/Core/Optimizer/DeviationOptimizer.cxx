@@ -5,7 +5,6 @@
 #include "Core/Base/Rounding.h"
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/DeviationGuard.h"
-#include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Optimizer/DeviationProblem.h"
@@ -26,6 +25,12 @@ constexpr double OverRelaxation = 1.5;   ///< of the displacement where none was
 constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
+constexpr double SmallestRest = 0.5;     ///< of a gain, for which an earlier step is enough
+
+/// The part of its share that a vertex loses where the guard fails; more each time, up to a half.
+constexpr double LargestShareLoss = 0.5;
+constexpr double SmallestShareLoss = 0.01;
+constexpr double ShareLossGrowth = 1.25;
 
 /// Least t that a pass may give a triangle which had it, none below the least of the input.
 double LeastQuality(int pass, const MeshQuality& input)
@@ -49,6 +54,7 @@ public:
     , Distance(LargestDistance(mesh, plan))
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), ReferenceOf(mesh, plan),
         this->Distance, monitor)
+    , InputQuality(MeanOf(this->Guard.GetAcceptedQuality()))
     , Problem(std::move(plan.problem))
     , Cumulative(std::move(this->Problem.position.weights))
     , AdaptiveFactors(Vector::Ones(this->Mesh.GetPoints().rows()))
@@ -70,12 +76,24 @@ private:
       this->AdaptiveFactors, this->Problem);
   }
 
+  /// Of t_mean so far.
+  double Gain() const { return MeanOf(this->Guard.GetAcceptedQuality()) - this->InputQuality; }
+
+  /// Moves from the earlier step's result as its surface has moved since.
+  /// \return whether the triangles are still much better than those of the mesh
+  bool Follow(ProgressMonitor& monitor);
+
+  /// The passes, and single vertices afterwards.
+  void Improve(ProgressMonitor& monitor, ModeResult& result);
+
   /// The displacement that Eqn. 11 proposes.
   Solution Propose(ProgressMonitor& monitor);
 
   /// Moves as far as the guard allows.
+  /// \param loss part of its share that a vertex loses at first
   /// \return whether it allows any displacement
-  bool Backtrack(const Points& displacement, double leastQuality, ProgressMonitor& monitor);
+  bool Backtrack(
+    const Points& displacement, double leastQuality, double loss, ProgressMonitor& monitor);
 
   /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
   /// far above the original surface as below it; 0 if there is distance left.
@@ -84,15 +102,12 @@ private:
   /// The closest position that the vertex may have.
   Vector3 Place(Index i, const Vector3& position) const;
 
-  /// Halves the share of the vertices that are to blame for the failures.
+  /// Takes a part of their share from the vertices that are to blame for the failures.
   /// \return these vertices
-  std::vector<Index> ReduceShares(const std::vector<DeviationGuard::Failure>& failures);
+  std::vector<Index> ReduceShares(
+    const std::vector<DeviationGuard::Failure>& failures, double loss);
 
-  Index CountRolledBack() const;
-
-  /// Bound of the Hausdorff distance of reference and accepted mesh: what is certified; where the
-  /// mesh itself is the reference, the largest displacement if that is smaller.
-  double Bound() const;
+  Index CountRolledBack() const { return CountReduced(this->Share, this->Problem.constraints); }
 
   const MeshQuantities& Mesh;
   const RunPlan& Plan;
@@ -100,6 +115,7 @@ private:
   const FeatureLines& Features;
   const double Distance; ///< allowed
   DeviationGuard Guard;
+  const double InputQuality; ///< t_mean
   LeastSquaresProblem Problem;
   const Vector Cumulative; ///< C(kappa)
   Vector AdaptiveFactors;  ///< factor of W_p
@@ -145,33 +161,16 @@ Vector3 Passes::Place(Index i, const Vector3& position) const
   return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
 }
 
-std::vector<Index> Passes::ReduceShares(const std::vector<DeviationGuard::Failure>& failures)
+std::vector<Index> Passes::ReduceShares(
+  const std::vector<DeviationGuard::Failure>& failures, double loss)
 {
-  const Triangles& T = this->Mesh.GetTriangles();
-  Mask isBlamed(this->Size(), false);
-  const auto blame = [&](Index t)
-  {
-    bool isMoving = false;
-    for (const Index i : { T(t, 0), T(t, 1), T(t, 2) })
-    {
-      isBlamed[i] = true;
-      isMoving = isMoving || this->Share[i] > 0;
-    }
-    return isMoving;
-  };
-  for (const DeviationGuard::Failure& failure : failures)
-  {
-    if (!blame(failure.close))
-    {
-      std::for_each(failure.others.begin(), failure.others.end(), blame);
-    }
-  }
+  const Mask isBlamed = FindBlamed(failures, this->Mesh.GetTriangles(), this->Share);
   std::vector<Index> vertices;
   for (Index i = 0; i < this->Size(); ++i)
   {
     if (isBlamed[i] && this->Share[i] > 0)
     {
-      this->Share[i] /= 2;
+      this->Share[i] *= 1 - loss;
       if (this->Share[i] < SmallestShare)
       {
         this->Share[i] = 0;
@@ -183,7 +182,8 @@ std::vector<Index> Passes::ReduceShares(const std::vector<DeviationGuard::Failur
   return vertices;
 }
 
-bool Passes::Backtrack(const Points& displacement, double leastQuality, ProgressMonitor& monitor)
+bool Passes::Backtrack(
+  const Points& displacement, double leastQuality, double loss, ProgressMonitor& monitor)
 {
   std::vector<Index> moving;
   this->Share = Vector::Zero(this->Size());
@@ -213,7 +213,8 @@ bool Passes::Backtrack(const Points& displacement, double leastQuality, Progress
     {
       break;
     }
-    moving = this->ReduceShares(failures);
+    moving = this->ReduceShares(failures, loss);
+    loss = std::min(ShareLossGrowth * loss, LargestShareLoss);
     if (moving.empty())
     {
       this->Guard.RollBack();
@@ -231,63 +232,63 @@ bool Passes::Backtrack(const Points& displacement, double leastQuality, Progress
   return true;
 }
 
-Index Passes::CountRolledBack() const
+bool Passes::Follow(ProgressMonitor& monitor)
 {
-  Index count = 0;
-  for (Index i = 0; i < this->Size(); ++i)
-  {
-    const bool isFree = this->Problem.constraints.freedom[i] != DisplacementConstraints::FIXED;
-    count += isFree && this->Share[i] < 1;
-  }
-  return count;
+  monitor.Begin("Following the previous time step");
+  const Points displacement =
+    DisplacementAfter(*this->Plan.earlier, this->Mesh, this->Problem.constraints);
+  this->Backtrack(
+    displacement, LeastQuality(0, *this->Mesh.GetQuality()), SmallestShareLoss, monitor);
+  this->AdaptiveFactors.setOnes();
+  return this->Gain() >= SmallestRest * this->Plan.earlier->gain;
 }
 
-double Passes::Bound() const
+void Passes::Improve(ProgressMonitor& monitor, ModeResult& result)
 {
-  const double certified = this->Guard.GetBound();
-  if (this->Plan.reference)
+  const int passes = this->Options.deviation.passes;
+  for (int pass = 0; pass < passes; ++pass)
   {
-    return certified + DistanceRoundOff(this->Mesh, this->Plan);
+    monitor.Begin(("Pass " + std::to_string(pass + 1) + " of " + std::to_string(passes)).c_str());
+    PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
+    const Solution solution = this->Propose(part);
+    result.iterations += solution.iterations;
+    result.relativeResidual = solution.relativeResidual;
+    const double before = MeanOf(this->Guard.GetAcceptedQuality());
+    if (!this->Backtrack(solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()),
+          LargestShareLoss, monitor))
+    {
+      break;
+    }
+    ++result.deviation.passes;
+    result.deviation.rolledBack = this->CountRolledBack();
+    const double after = MeanOf(this->Guard.GetAcceptedQuality());
+    if (pass > 1 && after > before && after < before + SmallestGain)
+    {
+      break;
+    }
   }
-  const double displacement = LargestDisplacement(
-    this->Mesh.GetPoints(), this->Guard.GetAccepted(), this->Mesh.GetSubdomain());
-  return displacement > 0 && certified > 0
-           ? std::min(certified + DistanceRoundOff(this->Mesh, this->Plan), displacement)
-           : 0;
+  if (this->Options.deviation.improveWorstTriangles)
+  {
+    monitor.Begin("Improving the worst triangles");
+    ImproveWorstTriangles(
+      this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.constraints,
+      [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
+  }
+  result.deviation.gain = this->Gain();
 }
 
 void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
 {
-  const int passes = this->Options.deviation.passes;
   try
   {
-    for (int pass = 0; pass < passes; ++pass)
+    if (this->Plan.earlier && this->Follow(monitor))
     {
-      monitor.Begin(("Pass " + std::to_string(pass + 1) + " of " + std::to_string(passes)).c_str());
-      PartialMonitor part(monitor, double(pass) / passes, (pass + 0.5) / passes);
-      const Solution solution = this->Propose(part);
-      result.iterations += solution.iterations;
-      result.relativeResidual = solution.relativeResidual;
-      const double before = MeanOf(this->Guard.GetAcceptedQuality());
-      if (!this->Backtrack(
-            solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()), monitor))
-      {
-        break;
-      }
-      ++result.deviation.passes;
+      result.deviation.gain = this->Plan.earlier->gain;
       result.deviation.rolledBack = this->CountRolledBack();
-      const double after = MeanOf(this->Guard.GetAcceptedQuality());
-      if (pass > 1 && after > before && after < before + SmallestGain)
-      {
-        break;
-      }
     }
-    if (this->Options.deviation.improveWorstTriangles)
+    else
     {
-      monitor.Begin("Improving the worst triangles");
-      ImproveWorstTriangles(
-        this->Guard, this->Mesh.GetTriangles(), this->Mesh.GetTopology(), this->Problem.constraints,
-        [this](Index i, const Vector3& position) { return this->Place(i, position); }, monitor);
+      this->Improve(monitor, result);
     }
   }
   catch (const Cancelled&)
@@ -300,7 +301,7 @@ void Passes::Run(ProgressMonitor& monitor, ModeResult& result)
     this->Mesh.GetTriangles(), this->Guard.GetAcceptedQuality(), this->Problem.constraints);
   result.intersections = ReportIntersections(this->Guard.GetInputPairs(),
     this->Guard.FindAcceptedPairs(), static_cast<Index>(this->Mesh.GetTriangles().rows()));
-  result.deviation.bound = this->Bound();
+  result.deviation.bound = HausdorffBound(this->Guard, this->Mesh, this->Plan);
   result.deviation.relativeBound =
     result.deviation.bound > 0 ? result.deviation.bound / this->Mesh.GetDiagonal() : 0;
   result.positionWeights = std::move(this->Problem.position.weights);

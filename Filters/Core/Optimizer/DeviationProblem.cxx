@@ -3,7 +3,9 @@
 #include "Core/Optimizer/DeviationProblem.h"
 
 #include "Core/Base/Threading.h"
+#include "Core/Deviation/SurfaceComparison.h"
 #include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/FieldInterpolation.h"
 
 #include <algorithm>
 #include <limits>
@@ -113,6 +115,72 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
     });
   problem.laplacian.target = std::move(target);
   constraints.RestrictAxes();
+}
+
+Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
+  const DisplacementConstraints& constraints)
+{
+  const Points& V = mesh.GetPoints();
+  Points displacement = MoveWithSurface(earlier.before, V, mesh.GetTriangles(),
+                          mesh.GetTopology().cornersAt, earlier.after) -
+                        V;
+  for (Index i = 0; i < mesh.GetTopology().vertices; ++i)
+  {
+    // A line that leads out of the free axes cannot be followed.
+    const bool isOnLine = constraints.freedom[i] == DisplacementConstraints::ALONG_LINE;
+    const bool isFree = !isOnLine || constraints.freeAxes == Vector3::Ones();
+    const Vector3 axes = isFree ? constraints.freeAxes : Vector3(Vector3::Zero());
+    displacement.row(i) = displacement.row(i).cwiseProduct(axes).eval();
+  }
+  return displacement;
+}
+
+Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Triangles& triangles,
+  const Vector& shares)
+{
+  Mask isBlamed(static_cast<std::size_t>(shares.size()), false);
+  const auto blame = [&](Index t)
+  {
+    bool isMoving = false;
+    for (const Index i : triangles.row(t))
+    {
+      isBlamed[i] = true;
+      isMoving = isMoving || shares[i] > 0;
+    }
+    return isMoving;
+  };
+  for (const DeviationGuard::Failure& failure : failures)
+  {
+    if (!blame(failure.close))
+    {
+      std::for_each(failure.others.begin(), failure.others.end(), blame);
+    }
+  }
+  return isBlamed;
+}
+
+double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, const RunPlan& plan)
+{
+  const double certified = guard.GetBound();
+  if (plan.reference)
+  {
+    return certified + DistanceRoundOff(mesh, plan);
+  }
+  const double displacement =
+    LargestDisplacement(mesh.GetPoints(), guard.GetAccepted(), mesh.GetSubdomain());
+  return displacement > 0 && certified > 0
+           ? std::min(certified + DistanceRoundOff(mesh, plan), displacement)
+           : 0;
+}
+
+Index CountReduced(const Vector& shares, const DisplacementConstraints& constraints)
+{
+  Index count = 0;
+  for (Index i = 0; i < static_cast<Index>(shares.size()); ++i)
+  {
+    count += constraints.freedom[i] != DisplacementConstraints::FIXED && shares[i] < 1;
+  }
+  return count;
 }
 
 Index CountPinnedBad(const Triangles& triangles, const Vector& triangleQuality,

@@ -3,6 +3,7 @@
 #ifndef lmo_DeviationProblem_h
 #define lmo_DeviationProblem_h
 
+#include "Core/Deviation/DeviationGuard.h"
 #include "Core/Deviation/ReferenceSurface.h"
 #include "Core/Operators/MeshQuantities.h"
 #include "Core/Optimizer/RunPlan.h"
@@ -27,6 +28,22 @@ LeastSquaresProblem SetUpTangentialProblem(
 /// \param V where the vertices are now
 void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
   LeastSquaresProblem& problem);
+
+/// From the mesh to the earlier step's result, moved as its surface has moved since, as far as the
+/// constraints allow.
+Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
+  const DisplacementConstraints& constraints);
+
+/// The vertices of the triangles that are to blame for the failures of the guard.
+Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Triangles& triangles,
+  const Vector& shares);
+
+/// Bound of the Hausdorff distance of reference and accepted mesh: what is certified; where the
+/// mesh itself is the reference, the largest displacement if that is smaller.
+double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, const RunPlan& plan);
+
+/// Number of vertices that may move and have a share below 1 of their displacement.
+Index CountReduced(const Vector& shares, const DisplacementConstraints& constraints);
 
 /// Number of triangles with t < 0.45 of which no corner may move.
 Index CountPinnedBad(const Triangles& triangles, const Vector& triangleQuality,

@@ -94,6 +94,15 @@ struct OptimizerOptions
   bool roundToFloat = false;           ///< round V' as the caller will, so that all metrics fit it
 };
 
+/// A mesh with the same triangles at an earlier time.
+struct EarlierStep
+{
+  Points before;
+  Points after;    ///< what OPTIMIZE_WITHIN_DEVIATION has made of it
+  double gain = 0; ///< of t_mean when passes optimised it last
+  Triangles triangles;
+};
+
 /// What the user may give beside the mesh: values for each vertex and each triangle, and a surface.
 struct VertexArrays
 {
@@ -104,6 +113,7 @@ struct VertexArrays
   std::optional<Vector> featurePoints;             ///< not 0: on a feature line or corner
   std::optional<TriangleLabels> labels;            ///< feature lines are between different ones
   std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
+  std::shared_ptr<const EarlierStep> earlier;      ///< to start from; null: from the mesh as it is
 };
 }
 

@@ -261,6 +261,7 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
       mesh, ChooseConstraints(mesh.GetTopology(), options, arrays, plan.lines));
     plan.problem.position.weights = quantities.GetCumulativeWeights();
     plan.reference = IsOfMesh(arrays.reference, mesh) ? nullptr : arrays.reference;
+    plan.earlier = arrays.earlier;
   }
   else
   {

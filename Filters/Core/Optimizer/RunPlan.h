@@ -30,6 +30,7 @@ struct RunPlan
   EnclosedRegions regions; ///< whose volumes are preserved; none if that is not wanted
   VertexFreedom freedom;
   std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
+  std::shared_ptr<const EarlierStep> earlier;      ///< to start from; null: from the mesh as it is
   LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
 };
@@ -41,6 +42,7 @@ struct DeviationReport
   Index rolledBack = 0;     ///< vertices that the last pass moved less than its solution
   double bound = 0;         ///< the Hausdorff distance of result and reference is at most that
   double relativeBound = 0; ///< the same, divided by the diagonal of the bounding box
+  double gain = 0;          ///< EarlierStep::gain for the next step
   Index pinnedBad = 0;      ///< triangles with t < 0.45 of which no corner may move
   Index beyond = 0; ///< triangles of mesh and reference that began farther away than allowed
 };
