@@ -8,6 +8,7 @@
 #include "Private/PolyDataOutput.h"
 #include "Private/SurfaceExtraction.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -48,7 +49,9 @@ int vtkTriangleRadiusRatio::RequestData(
       this->MinimumRadiusRatio = quality.minimum;
       output->ShallowCopy(input);
       lmo::ResultArrays results;
-      lmo::AddRadiusRatios("RadiusRatio", quality, mesh.numbering, results, output);
+      const std::string name =
+        lmo::AddRadiusRatios("RadiusRatio", quality, mesh.numbering, results, output);
+      output->GetCellData()->SetActiveScalars(name.c_str()); // what viewers show first
       vtkFieldData* metrics = output->GetFieldData();
       results.Add(metrics, lmo::MakeArray("MeanRadiusRatio", quality.mean));
       results.Add(metrics, lmo::MakeArray("MinimumRadiusRatio", quality.minimum));

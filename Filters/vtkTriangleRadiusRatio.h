@@ -10,12 +10,13 @@
  * and is finite for every triangle of every size.
  *
  * Output: the input, which may have vertices, lines, triangle strips and larger polygons beside its
- * triangles, with cell array `RadiusRatio`, point array `RadiusRatio` (minimum over the cells at
- * the point, -1 if there are none), and field arrays `MeanRadiusRatio` and `MinimumRadiusRatio` of
- * one value over all cells. A strip has the minimum of its triangles, each of which counts in the
- * mean. A polygon with n > 3 corners has the minimum over its corners of 2 |a x b| / ((a^2 + b^2)
- * sin theta_n), clipped to 1, with the edges a and b of the corner and the angle theta_n of the
- * regular polygon: for convex quads Verdict's Shape. Vertices and lines have -1.
+ * triangles, with cell array `RadiusRatio`, which is the active one, point array `RadiusRatio`
+ * (minimum over the cells at the point, -1 if there are none), and field arrays `MeanRadiusRatio`
+ * and `MinimumRadiusRatio` of one value over all cells. A strip has the minimum of its triangles,
+ * each of which counts in the mean. A polygon with n > 3 corners has the minimum over its corners
+ * of 2 |a x b| / ((a^2 + b^2) sin theta_n), clipped to 1, with the edges a and b of the corner and
+ * the angle theta_n of the regular polygon: for convex quads Verdict's Shape. Vertices and lines
+ * have -1.
  *
  * Inputs that are no vtkPolyData are taken for their surface: the cells that are one, and the outer
  * faces of those that fill a volume.

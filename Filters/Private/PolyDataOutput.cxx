@@ -105,14 +105,15 @@ void AddCellFlags(const char* name, const Mask& isMarked, const MeshNumbering& n
   results.Add(output->GetCellData(), cells);
 }
 
-void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
-  ResultArrays& results, vtkPolyData* output)
+std::string AddRadiusRatios(const char* name, const MeshQuality& quality,
+  const MeshNumbering& numbering, ResultArrays& results, vtkPolyData* output)
 {
   const Vector ofCells = numbering.LeastOfCells(quality.triangles, UndefinedQuality);
   auto cells = NewArray(name, 1, ofCells.size());
   std::copy(ofCells.begin(), ofCells.end(), cells->GetPointer(0));
   results.Add(output->GetCellData(), cells);
   results.Add(output->GetPointData(), MakeArray(name, quality.vertices, numbering));
+  return cells->GetName();
 }
 
 namespace

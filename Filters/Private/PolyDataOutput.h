@@ -9,6 +9,8 @@
 
 #include "vtkSmartPointer.h"
 
+#include <string>
+
 class vtkDataArray;
 class vtkDoubleArray;
 class vtkPoints;
@@ -37,8 +39,9 @@ void AddCellFlags(const char* name, const Mask& isMarked, const MeshNumbering& n
 
 /// Adds the qualities of the cells to the cell data, of a strip the least of its triangles, and
 /// those of the vertices to the point data.
-void AddRadiusRatios(const char* name, const MeshQuality& quality, const MeshNumbering& numbering,
-  ResultArrays& results, vtkPolyData* output);
+/// \return the name of the cell array
+std::string AddRadiusRatios(const char* name, const MeshQuality& quality,
+  const MeshNumbering& numbering, ResultArrays& results, vtkPolyData* output);
 
 /// \param count of the points or cells that the normals belong to
 /// \param kind what they belong to, for the error: "point" or "cell"

@@ -41,6 +41,8 @@ void CheckKnownValues(Checks& c)
   c.Error("cells have the values of the triangles, lines -1",
     LargestMagnitude(CellValues(output, "RadiusRatio") - Eigen::Vector3d(-1, Isosceles, 0.8)),
     1e-15);
+  c.True("viewers colour the cells by it",
+    output->GetCellData()->GetScalars() == output->GetCellData()->GetArray("RadiusRatio"));
   Vector atPoints(6);
   atPoints << 0.8, Isosceles, Isosceles, 0.8, 0.8, -1;
   c.Error("points have the minimum, unused points -1",
