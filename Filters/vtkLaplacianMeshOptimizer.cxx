@@ -85,13 +85,13 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   this->WriteMetrics(result, results, output->GetFieldData());
   this->WritePoints(std::move(result), input, reference, results, output);
   results.Warn(this->Filter);
-  this->HasResult = true;
+  this->HasResult = pieces == 1;
 }
 
 void vtkLaplacianMeshOptimizer::Session::ReturnInput(const Inputs& inputs, vtkPolyData* output)
 {
   vtkPolyData* surface = this->Surface.Of(inputs.data);
-  if (this->HasResult && !this->IsNew(surface))
+  if (this->HasResult && this->HasCoordinatesOf(surface))
   {
     output->ShallowCopy(surface);
   }

@@ -64,7 +64,23 @@ void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
   this->InputOrigin = this->OriginOf(input);
   this->Numbering = std::move(numbering);
   this->Optimizer = std::move(optimizer);
-  this->HasResult = false;
+}
+
+bool vtkLaplacianMeshOptimizer::Session::HasCoordinatesOf(vtkPolyData* surface) const
+{
+  if (!this->Optimizer)
+  {
+    return false;
+  }
+  const lmo::Points points = this->Numbering.ToPoints(this->Optimizer->GetMesh().GetPoints());
+  bool isSame = points.rows() == surface->GetNumberOfPoints();
+  for (vtkIdType i = 0; isSame && i < surface->GetNumberOfPoints(); ++i)
+  {
+    lmo::Vector3 point;
+    surface->GetPoint(i, point.data());
+    isSame = point == points.row(i);
+  }
+  return isSame;
 }
 
 lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(vtkPolyData* data) const
@@ -81,6 +97,7 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
 {
   if (this->IsNew(input))
   {
+    this->HasResult = this->HasResult && this->HasCoordinatesOf(input);
     this->Optimizer.reset(); // its memory serves for the next one
     lmo::SurfaceMesh mesh = this->ReadWelded(input);
     lmo::RenumberIfScattered(mesh);

@@ -91,6 +91,10 @@ protected:
   /// Read(), with points welded as the filter says.
   lmo::SurfaceMesh ReadWelded(vtkPolyData* data) const;
 
+  /// True if the optimizer's mesh has the coordinates of a surface. ParaView passes the same
+  /// surface as if it were new.
+  bool HasCoordinatesOf(vtkPolyData* surface) const;
+
   /// True if Optimizer is not that of the input as it is now.
   bool IsNew(vtkPolyData* input) const;
 
@@ -184,7 +188,7 @@ private:
   lmo::CachedSurface SurfaceOfReference;
   lmo::MeshNumbering Numbering;
   Origin InputOrigin;
-  bool HasResult = false;                  ///< of the optimizer
+  bool HasResult = false;                  ///< one has been made of the optimizer's mesh
   std::map<unsigned int, TimeSteps> Steps; ///< of each block by its flat index; 0 without blocks
   std::shared_ptr<const lmo::MeshQuantities> Reference;
   lmo::MeshNumbering ReferenceNumbering;

@@ -8,6 +8,7 @@ import numpy as np
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkLogger
 
 LoadPlugin("LaplacianMeshOptimization", remote=False, ns=globals())
 
@@ -581,6 +582,18 @@ class Results(unittest.TestCase):
         self.assertEqual(shown, metric(optimizer, "MeanRadiusRatio"))
         self.assertNotEqual(shown, -1)
 
+
+    def test_an_error_after_a_result_leaves_the_input_to_look_at(self):
+        optimizer = LaplacianMeshOptimizer(Input=half_sphere())
+        optimizer.UpdatePipeline()
+        verbosity = vtkLogger.GetCurrentVerbosityCutoff()
+        vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+        optimizer.Mode = "Prescribed Laplacians"
+        optimizer.UpdatePipeline()
+        vtkLogger.SetStderrVerbosity(verbosity)
+        output = optimizer.GetClientSideObject().GetOutputDataObject(0)
+        self.assertEqual(output.GetNumberOfPoints(), len(points(optimizer.Input)))
+        self.assertFalse(output.GetCellData().HasArray("RadiusRatio"))
 
     def test_the_volume_is_that_of_a_closed_surface(self):
         for surface, has_volume in [(Sphere(), 1), (half_sphere(), 0)]:
