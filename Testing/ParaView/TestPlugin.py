@@ -724,6 +724,10 @@ class Panel(unittest.TestCase):
         self.assertFalse(self.is_shown("FeatureConstraints", Mode=1, FeatureSmoothing=1))
         self.assertTrue(self.is_shown("FeatureConstraints", Mode=0, FeatureSmoothing=1))
 
+    def test_the_use_of_a_selection_is_shown_with_one(self):
+        self.assertFalse(self.is_shown("SelectionUse", Selection="null"))
+        self.assertTrue(self.is_shown("SelectionUse", Selection="AppendSelections"))
+
     def test_no_result_is_shown_before_the_first_execution(self):
         for name in RESULTS:
             mode = 1 if name == "RelativeResidual" else 3
