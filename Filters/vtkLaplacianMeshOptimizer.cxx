@@ -91,7 +91,7 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
 void vtkLaplacianMeshOptimizer::Session::ReturnInput(const Inputs& inputs, vtkPolyData* output)
 {
   vtkPolyData* surface = this->Surface.Of(inputs.data);
-  if (this->HasResult && this->HasCoordinatesOf(surface))
+  if (this->HasResult && this->IsStill(surface))
   {
     output->ShallowCopy(surface);
   }

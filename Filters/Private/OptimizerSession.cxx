@@ -66,9 +66,9 @@ void vtkLaplacianMeshOptimizer::Session::SetOptimizer(
   this->Optimizer = std::move(optimizer);
 }
 
-bool vtkLaplacianMeshOptimizer::Session::HasCoordinatesOf(vtkPolyData* surface) const
+bool vtkLaplacianMeshOptimizer::Session::IsStill(vtkPolyData* surface) const
 {
-  if (!this->Optimizer)
+  if (!this->Optimizer || this->InputOrigin.data != surface)
   {
     return false;
   }
@@ -97,7 +97,7 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
 {
   if (this->IsNew(input))
   {
-    this->HasResult = this->HasResult && this->HasCoordinatesOf(input);
+    this->HasResult = this->HasResult && this->IsStill(input);
     this->Optimizer.reset(); // its memory serves for the next one
     lmo::SurfaceMesh mesh = this->ReadWelded(input);
     lmo::RenumberIfScattered(mesh);

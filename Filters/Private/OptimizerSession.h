@@ -91,9 +91,9 @@ protected:
   /// Read(), with points welded as the filter says.
   lmo::SurfaceMesh ReadWelded(vtkPolyData* data) const;
 
-  /// True if the optimizer's mesh has the coordinates of a surface. ParaView passes the same
-  /// surface as if it were new.
-  bool HasCoordinatesOf(vtkPolyData* surface) const;
+  /// True if a surface is the object of which the optimizer was made, with the same coordinates.
+  /// ParaView touches it before each execution, so that it seems new.
+  bool IsStill(vtkPolyData* surface) const;
 
   /// True if Optimizer is not that of the input as it is now.
   bool IsNew(vtkPolyData* input) const;
