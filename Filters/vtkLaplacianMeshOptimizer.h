@@ -39,9 +39,13 @@
  * volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which the filter cuts them:
  * quads along the diagonal that is inside, the shorter one if both are; larger polygons as
  * vtkPolygon does. Over several processes all is done on these triangles. Points with float
- * coordinates give float coordinates, all others double. A composite data set is treated block by
- * block, each with statistics of its own. A surface in pieces on several processes needs
- * vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
+ * coordinates give float coordinates, all others double.
+ *
+ * The partitions of a vtkPartitionedDataSet are pieces of one surface: ghost cells are ignored, and
+ * points of different partitions are one if they have the same global id or, without global ids,
+ * the same coordinates at the border of a partition. Different blocks of a composite data set are
+ * different surfaces, each with statistics of its own. The output has the structure of the input. A
+ * surface in pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
  * VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
  * Output: the input with new coordinates and with these arrays.
@@ -84,6 +88,10 @@ public:
   static vtkLaplacianMeshOptimizer* New();
   vtkTypeMacro(vtkLaplacianMeshOptimizer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Makes an output of the type of the input.
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   enum ModeType
   {
@@ -286,8 +294,8 @@ public:
   /**
    * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
    * for its points. SelectionUse sets what happens to them. Points that FIXED_POINT_ARRAY or
-   * BoundaryCondition fixes do not move in either case. Of a composite data set, each block reads
-   * the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in another way, or
+   * BoundaryCondition fixes do not move in either case. Of a composite data set, each block or
+   * partition reads the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in another way, or
    * mix points and cells are errors.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
@@ -298,7 +306,7 @@ public:
   /**
    * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the
    * input: the surface that the input was made from by remeshing, or by earlier runs, whose errors
-   * add up otherwise. Its triangles should face the same side as those of the input. What begins
+   * add up otherwise. Of a composite data set, all blocks are the reference. Its triangles should face the same side as those of the input. What begins
    * farther away than MaximumDeviation does not move farther away; a warning counts these
    * triangles. With InterpolatePointData the output gets the point data and field data that the
    * reference has and the input has not. Other modes do not use it. Without triangles it is an
@@ -561,7 +569,7 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Like all metrics below, these are valid after Update(), and are those of all blocks
+   * triangles. Like all metrics below, these are valid after Update(), and are those of all surfaces
    * of a composite data set: means of all triangles, sums, and values of largest magnitude. They
    * are -1 or 0 when the output is out of date.
    */
@@ -652,6 +660,7 @@ protected:
   ~vtkLaplacianMeshOptimizer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -716,15 +725,10 @@ protected:
   vtkIdType SelfIntersections = 0;
 
 private:
-  /// The executions of the blocks of a composite data set are nested in one that is for all.
-  void StartExecution();
-  void EndExecution();
-
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkLaplacianMeshOptimizer&) = delete;
 
   std::unique_ptr<Session> State;
-  int ExecutionDepth = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -5,7 +5,6 @@
 #include "PolyDataOutput.h"
 #include "ResultArrays.h"
 
-#include "vtkCompositeDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 
@@ -57,13 +56,6 @@ void vtkLaplacianMeshOptimizer::Session::AddMetrics(const lmo::OptimizerResult& 
       value = static_cast<std::decay_t<decltype(value)>>(this->Totals[row++]);
     });
   this->TotalTriangles += triangles;
-}
-
-void vtkLaplacianMeshOptimizer::Session::Begin(vtkDataObject* data)
-{
-  this->Blocks = vtkCompositeDataSet::SafeDownCast(data);
-  this->Totals.clear();
-  this->TotalTriangles = 0;
 }
 
 void vtkLaplacianMeshOptimizer::Session::WriteMetrics(

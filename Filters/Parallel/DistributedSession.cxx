@@ -1,0 +1,390 @@
+// SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DistributedSession.h"
+
+#include "../Private/FilterSupport.h"
+#include "../Private/OptimizerTables.h"
+#include "../Private/PolyDataConversion.h"
+#include "DistributedOptimizer.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkGenerateGlobalIds.h"
+#include "vtkMPI.h"
+#include "vtkMPICommunicator.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <map>
+#include <thread>
+#include <type_traits>
+
+#ifdef VTK_ABI_NAMESPACE_BEGIN
+VTK_ABI_NAMESPACE_BEGIN
+#endif
+
+namespace
+{
+std::vector<lmo::GlobalId> ReadIds(vtkDataArray* array)
+{
+  std::vector<lmo::GlobalId> ids(array ? array->GetNumberOfTuples() : 0);
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    ids[i] = static_cast<lmo::GlobalId>(array->GetTuple1(static_cast<vtkIdType>(i)));
+  }
+  return ids;
+}
+
+/// Ids by which points of all processes are the same one: those of the input, or by coordinates.
+std::vector<lmo::GlobalId> GlobalIds(
+  vtkPolyData* input, const lmo::Communicator& comm, vtkMultiProcessController* controller)
+{
+  vtkDataArray* ids = input->GetPointData()->GetGlobalIds();
+  const bool isMissing = input->GetNumberOfPoints() > 0 && !ids;
+  if (comm.Maximum(isMissing) == 0)
+  {
+    return ReadIds(ids);
+  }
+  vtkNew<vtkPolyData> points;
+  points->SetPoints(input->GetPoints());
+  vtkNew<vtkGenerateGlobalIds> generator;
+  generator->SetController(controller);
+  generator->SetInputData(points);
+  generator->Update();
+  return ReadIds(vtkPolyData::SafeDownCast(generator->GetOutput())->GetPointData()->GetGlobalIds());
+}
+
+/// The triangles of the cells that are not marked as duplicates.
+lmo::Triangles TrianglesThatCount(vtkPolyData* input, const lmo::SurfaceMesh& mesh)
+{
+  const lmo::Triangles& triangles = mesh.triangles;
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  if (!ghosts)
+  {
+    return triangles;
+  }
+  lmo::Triangles counted(triangles.rows(), 3);
+  Eigen::Index count = 0;
+  for (lmo::Index t = 0; t < triangles.rows(); ++t)
+  {
+    if (!(ghosts->GetValue(mesh.numbering.CellOf(t)) & vtkDataSetAttributes::DUPLICATECELL))
+    {
+      counted.row(count++) = triangles.row(t);
+    }
+  }
+  counted.conservativeResize(count, 3);
+  return counted;
+}
+
+/// A monitor that stops in all processes if one is asked to stop.
+class CollectiveMonitor : public lmo::FilterMonitor
+{
+public:
+  CollectiveMonitor(vtkAlgorithm* filter, const lmo::Communicator& comm)
+    : FilterMonitor(filter)
+    , Comm(comm)
+  {
+  }
+
+protected:
+  bool IsCancelled() override { return this->Comm.Maximum(this->FilterMonitor::IsCancelled()) > 0; }
+
+private:
+  const lmo::Communicator Comm;
+};
+
+/// The places of the blocks and whether they are partitioned, as numbers that can be sent.
+std::vector<unsigned int> Describe(const std::vector<lmo::SurfaceBlock>& blocks)
+{
+  std::vector<unsigned int> numbers;
+  for (const lmo::SurfaceBlock& block : blocks)
+  {
+    numbers.push_back(block.isPartitioned);
+    numbers.push_back(static_cast<unsigned int>(block.path.size()));
+    numbers.insert(numbers.end(), block.path.begin(), block.path.end());
+  }
+  return numbers;
+}
+
+/// Sets a value for a time.
+class TemporarilyTrue
+{
+public:
+  explicit TemporarilyTrue(bool& value)
+    : Value(value)
+  {
+    value = true;
+  }
+  ~TemporarilyTrue() { this->Value = false; }
+  TemporarilyTrue(const TemporarilyTrue&) = delete;
+  void operator=(const TemporarilyTrue&) = delete;
+
+private:
+  bool& Value;
+};
+
+/// Waits for all processes at the end of its life.
+class Meeting
+{
+public:
+  explicit Meeting(const lmo::Communicator& comm)
+    : Comm(comm)
+  {
+  }
+  ~Meeting() { this->Comm.Wait(); }
+  Meeting(const Meeting&) = delete;
+  void operator=(const Meeting&) = delete;
+
+private:
+  const lmo::Communicator Comm;
+};
+}
+
+vtkPLaplacianMeshOptimizer::DistributedSession::DistributedSession(
+  vtkPLaplacianMeshOptimizer* filter)
+  : Session(filter)
+  , ParallelFilter(filter)
+{
+}
+
+MPI_Comm vtkPLaplacianMeshOptimizer::DistributedSession::CommunicatorOf(
+  vtkMultiProcessController* controller)
+{
+  auto* communicator =
+    controller ? vtkMPICommunicator::SafeDownCast(controller->GetCommunicator()) : nullptr;
+  const bool isDistributed = communicator && controller->GetNumberOfProcesses() > 1;
+  return isDistributed ? *communicator->GetMPIComm()->GetHandle() : MPI_COMM_NULL;
+}
+
+int vtkPLaplacianMeshOptimizer::DistributedSession::NumberOfThreads(
+  vtkPLaplacianMeshOptimizer* filter)
+{
+  lmo::OptimizerOptions options;
+  Tables::VisitProperties(*filter, options,
+    [](const char*, auto value, auto, auto&... option)
+    { ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...); });
+  const lmo::Communicator comm(CommunicatorOf(filter->GetController()));
+  const bool isGathered = comm.Maximum(lmo::NeedsWholeSurface(options)) > 0;
+  const int processes = comm.SizeOnComputer();
+  const int processors = static_cast<int>(std::thread::hardware_concurrency()); // 0 if unknown
+  return isGathered && comm.Rank() == 0 ? std::max(1, std::min(processes, processors)) : 1;
+}
+
+bool vtkPLaplacianMeshOptimizer::DistributedSession::IsDistributed() const
+{
+  return !this->IsAlone && CommunicatorOf(this->ParallelFilter->GetController()) != MPI_COMM_NULL;
+}
+
+lmo::Communicator vtkPLaplacianMeshOptimizer::DistributedSession::GetCommunicator() const
+{
+  return lmo::Communicator(CommunicatorOf(this->ParallelFilter->GetController()));
+}
+
+void vtkPLaplacianMeshOptimizer::DistributedSession::CheckPieces(int pieces) const
+{
+  if (!this->IsDistributed())
+  {
+    this->Session::CheckPieces(pieces);
+  }
+}
+
+void vtkPLaplacianMeshOptimizer::DistributedSession::Try(const std::function<void()>& body) const
+{
+  if (this->IsDistributed())
+  {
+    this->GetCommunicator().Try(body);
+  }
+  else
+  {
+    body();
+  }
+}
+
+std::unique_ptr<lmo::ProgressMonitor> vtkPLaplacianMeshOptimizer::DistributedSession::MakeMonitor()
+  const
+{
+  if (!this->IsDistributed())
+  {
+    return this->Session::MakeMonitor();
+  }
+  return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
+}
+
+bool vtkPLaplacianMeshOptimizer::DistributedSession::InterpolatesPointData() const
+{
+  // New places may lie on the pieces of other processes.
+  return !this->IsDistributed() && this->Session::InterpolatesPointData();
+}
+
+std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::FindBlocks(
+  vtkDataObject* data) const
+{
+  std::vector<lmo::SurfaceBlock> own = this->Session::FindBlocks(data);
+  if (!this->IsDistributed())
+  {
+    return own;
+  }
+  std::map<std::vector<unsigned int>, lmo::SurfaceBlock> blocks;
+  const std::vector<unsigned int> numbers = this->GetCommunicator().Join(Describe(own));
+  for (auto number = numbers.begin(); number != numbers.end();)
+  {
+    const bool isPartitioned = *number++ != 0;
+    const unsigned int length = *number++;
+    lmo::SurfaceBlock& block = blocks[{ number, number + length }];
+    block.path.assign(number, number + length);
+    block.isPartitioned = block.isPartitioned || isPartitioned;
+    number += length;
+  }
+  for (lmo::SurfaceBlock& block : own)
+  {
+    blocks[block.path].parts = std::move(block.parts);
+  }
+  std::vector<lmo::SurfaceBlock> all;
+  for (auto& [path, block] : blocks)
+  {
+    all.push_back(std::move(block));
+  }
+  return all;
+}
+
+bool vtkPLaplacianMeshOptimizer::DistributedSession::MustGather() const
+{
+  bool isWholeNeeded = false;
+  this->Try(
+    [&] { isWholeNeeded = lmo::NeedsWholeSurface(this->ReadOptions(vtkNew<vtkPolyData>())); });
+  return this->GetCommunicator().Maximum(isWholeNeeded) > 0;
+}
+
+lmo::SurfacePieces vtkPLaplacianMeshOptimizer::DistributedSession::Optimize(const Job& job)
+{
+  if (!this->IsDistributed())
+  {
+    return this->Session::Optimize(job);
+  }
+  return this->MustGather() ? this->OptimizeGathered(job)
+                            : this->OptimizeJoined(job, lmo::Joining::SIDE_BY_SIDE);
+}
+
+vtkLaplacianMeshOptimizer::Session::Job vtkPLaplacianMeshOptimizer::DistributedSession::Gather(
+  const Job& job)
+{
+  const lmo::Communicator comm = this->GetCommunicator();
+  vtkMultiProcessController* controller = this->ParallelFilter->GetController();
+  Job whole;
+  whole.isPartitioned = true;
+  whole.pieces = this->Input.Gather(controller, comm, job.pieces);
+  if (comm.Maximum(!job.reference.empty()) > 0)
+  {
+    whole.reference = this->ReferenceInput.Gather(controller, comm, job.reference);
+  }
+  if (comm.Maximum(job.isSelected.has_value()) > 0)
+  {
+    std::vector<double> isSelected;
+    for (vtkPolyData* piece : job.pieces)
+    {
+      isSelected.resize(isSelected.size() + piece->GetNumberOfPoints(), 0);
+    }
+    if (job.isSelected)
+    {
+      isSelected.assign(job.isSelected->begin(), job.isSelected->end());
+    }
+    isSelected = comm.Gather(std::move(isSelected));
+    whole.isSelected = Eigen::Map<const lmo::Vector>(
+      isSelected.data(), static_cast<Eigen::Index>(isSelected.size()));
+  }
+  return whole;
+}
+
+lmo::SurfacePieces vtkPLaplacianMeshOptimizer::DistributedSession::OptimizeGathered(const Job& job)
+{
+  const lmo::Communicator comm = this->GetCommunicator();
+  const Job whole = this->Gather(job);
+  lmo::SurfacePieces optimized;
+  bool isCancelled = false;
+  comm.Try(
+    [&]
+    {
+      const Meeting meeting(comm);
+      if (comm.Rank() > 0)
+      {
+        return;
+      }
+      const TemporarilyTrue alone(this->IsAlone);
+      try
+      {
+        optimized = this->Session::Optimize(whole);
+      }
+      catch (const lmo::Cancelled&)
+      {
+        isCancelled = true;
+      }
+    });
+  if (comm.Maximum(isCancelled) > 0)
+  {
+    throw lmo::Cancelled();
+  }
+  this->ShareMetrics();
+  return this->Input.Return(this->ParallelFilter->GetController(), comm, optimized, job.pieces);
+}
+
+void vtkPLaplacianMeshOptimizer::DistributedSession::ShareMetrics()
+{
+  std::vector<double> values;
+  Tables::VisitMetrics(*this->ParallelFilter, {},
+    [&](const char*, auto& value, auto...) { values.push_back(static_cast<double>(value)); });
+  this->ParallelFilter->GetController()->Broadcast(
+    values.data(), static_cast<vtkIdType>(values.size()), 0);
+  auto shared = values.begin();
+  Tables::VisitMetrics(*this->ParallelFilter, {},
+    [&](const char*, auto& value, auto...)
+    { value = static_cast<std::decay_t<decltype(value)>>(*shared++); });
+  // Process 0 may have been asked to stop and have a result nevertheless.
+  if (this->GetCommunicator().Maximum(lmo::IsAborted(this->Filter)) > 0)
+  {
+    lmo::KeepOutput(this->Filter);
+  }
+}
+
+void vtkPLaplacianMeshOptimizer::DistributedSession::SetInput(
+  vtkPolyData* input, const std::vector<lmo::Index>& firstPoints)
+{
+  if (this->WasDistributed != this->IsDistributed())
+  {
+    this->Optimizer.reset();
+    this->WasDistributed = this->IsDistributed();
+  }
+  if (!this->IsDistributed())
+  {
+    this->Session::SetInput(input, firstPoints);
+  }
+  else if (this->GetCommunicator().Maximum(this->IsNew(input)) > 0)
+  {
+    this->Optimizer.reset();
+    this->Distribute(input);
+  }
+}
+
+void vtkPLaplacianMeshOptimizer::DistributedSession::Distribute(vtkPolyData* input)
+{
+  const lmo::Communicator comm = this->GetCommunicator();
+  lmo::SurfaceMesh mesh;
+  comm.Try([&] { mesh = this->Read(input); });
+  lmo::Piece piece;
+  piece.triangles = TrianglesThatCount(input, mesh);
+  piece.points = std::move(mesh.points);
+  if (comm.Sum(std::int64_t(input->GetNumberOfPoints())) > 0)
+  {
+    piece.ids = GlobalIds(input, comm, this->ParallelFilter->GetController());
+  }
+  this->SetOptimizer(input, std::move(mesh.numbering),
+    std::make_unique<lmo::DistributedOptimizer>(comm, std::move(piece), std::move(mesh.triangles)));
+}
+
+#ifdef VTK_ABI_NAMESPACE_END
+VTK_ABI_NAMESPACE_END
+#endif
