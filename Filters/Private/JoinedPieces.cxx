@@ -161,6 +161,14 @@ vtkSmartPointer<vtkCellData> JoinedPieces::CellDataOf(
     }
   }
   const auto data = TuplesOf(optimized->GetCellData(), cells);
+  for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(a);
+    if (!ResultArrays::IsResult(array) && array != data->GetNormals())
+    {
+      data->RemoveArray(a);
+    }
+  }
   for (int a = 0; a < data->GetNumberOfArrays() && missing->GetNumberOfIds() > 0; ++a)
   {
     vtkAbstractArray* array = data->GetAbstractArray(a);

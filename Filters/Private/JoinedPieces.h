@@ -65,6 +65,7 @@ private:
 
   void FindFirstPoints(const SurfacePieces& pieces);
   void FindOriginalsOfGhosts(const SurfacePieces& pieces);
+  /// What an optimization changes or adds.
   vtkSmartPointer<vtkCellData> CellDataOf(
     vtkPolyData* piece, std::size_t k, vtkPolyData* optimized) const;
 

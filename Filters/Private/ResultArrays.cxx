@@ -27,11 +27,6 @@ vtkInformationObjectBaseKey* ResultKey()
   return key;
 }
 
-bool IsResult(vtkAbstractArray* array)
-{
-  return array->HasInformation() && array->GetInformation()->Has(ResultKey());
-}
-
 void Mark(vtkAbstractArray* array)
 {
   array->GetInformation()->Set(ResultKey(), vtkNew<vtkObject>());
@@ -51,6 +46,11 @@ const char* KindOf(vtkFieldData* data)
          : vtkCellData::SafeDownCast(data) ? "cell array"
                                            : "field array";
 }
+}
+
+bool ResultArrays::IsResult(vtkAbstractArray* array)
+{
+  return array->HasInformation() && array->GetInformation()->Has(ResultKey());
 }
 
 void ResultArrays::Add(vtkFieldData* data, vtkAbstractArray* result)
@@ -98,13 +98,11 @@ void ResultArrays::HandOn(vtkFieldData* optimized, vtkFieldData* data)
   for (int k = 0; k < optimized->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* array = optimized->GetAbstractArray(k);
-    const std::string name = array->GetName() ? array->GetName() : "";
     if (IsResult(array))
     {
       this->Add(data, array);
     }
-    else if (!name.empty() &&
-             (name != vtkDataSetAttributes::GhostArrayName() || data->HasArray(name.c_str())))
+    else if (array->GetName())
     {
       data->AddArray(array);
     }

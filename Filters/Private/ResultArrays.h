@@ -20,6 +20,9 @@ namespace lmo
 class VTKFILTERSLAPLACIANMESH_EXPORT ResultArrays
 {
 public:
+  /// True for results of filters of this module.
+  static bool IsResult(vtkAbstractArray* array);
+
   /// Adds a result to point, cell or field data.
   void Add(vtkFieldData* data, vtkAbstractArray* result);
 

@@ -287,6 +287,8 @@ void CheckGhosts(Checks& c)
   c.Error("their points move with the points whose copies they are",
     DistanceToWhole(mesh, output, Optimized(whole, Precise)), 1e-9);
   c.Equal("copies that ghost cells use have the same bits", DistanceOfCopies(mesh, output), 0.0);
+  c.True("ghost cells stay ghost cells",
+    Contains(Part(output, 0)->GetCellData(), Part(mesh.data, 0)->GetCellData()));
   const Eigen::MatrixXd ratios = CellValues(Part(output, 0), "RadiusRatio");
   const Eigen::MatrixXd originals = CellValues(Part(output, 1), "RadiusRatio");
   c.Equal("a ghost cell has the radius ratio of the cell whose copy it is",

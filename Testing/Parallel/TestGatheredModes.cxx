@@ -132,7 +132,8 @@ vtkSmartPointer<vtkPolyData> OptimizedAsPartition(
 
 void CheckModes(MpiJob& job, Checks& c)
 {
-  const TestMesh mesh = Irregular(Cube(3), 0.01);
+  // Around the axis of the sectors, so that every process has a piece.
+  const TestMesh mesh = Transformed(Irregular(Cube(3), 0.01), 1, { -0.5, -0.5, 0 });
   const auto whole = Whole(mesh);
   const std::pair<std::string, Change> changes[] = {
     { "", [](PieceOfMesh&) {} },
