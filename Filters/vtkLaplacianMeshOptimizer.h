@@ -38,15 +38,15 @@
  * only, and cotangents by virtual refinement (Bunge et al. 2020). Distances, normals of triangles,
  * volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which the filter cuts them:
  * quads along the diagonal that is inside, the shorter one if both are; larger polygons as
- * vtkPolygon does. Over several processes all is done on these triangles. Points with float
- * coordinates give float coordinates, all others double.
+ * vtkPolygon does. Over several processes, what works on pieces is done on these triangles. Points
+ * with float coordinates give float coordinates, all others double.
  *
  * The partitions of a vtkPartitionedDataSet are pieces of one surface: ghost cells are ignored, and
  * points of different partitions are one if they have the same global id or, without global ids,
  * the same coordinates at the border of a partition. Different blocks of a composite data set are
  * different surfaces, each with statistics of its own. The output has the structure of the input. A
- * surface in pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
- * VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
+ * surface in pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the
+ * program has the module VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
@@ -173,8 +173,7 @@ public:
    * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
    * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays; in several
-   * processes, where it does not work, choose OPTIMIZE_TRIANGLES.
-   * Default: OPTIMIZE_WITHIN_DEVIATION.
+   * processes, one of them gathers the whole surface for it. Default: OPTIMIZE_WITHIN_DEVIATION.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -522,8 +521,8 @@ public:
    * the point normals are interpolated too, with unit length, instead of computed anew.
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
-   * points, and fields are displaced with them; so it is over several processes in either case.
-   * Default: on.
+   * points, and fields are displaced with them; so it is in OPTIMIZE_TRIANGLES over several
+   * processes in either case. Default: on.
    */
   vtkSetMacro(InterpolatePointData, vtkTypeBool);
   vtkGetMacro(InterpolatePointData, vtkTypeBool);

@@ -60,16 +60,24 @@ lmo::SurfacePieces SurfacesOf(
   return surfaces;
 }
 
-/// Names the block that an error is about.
-template <typename Error>
-[[noreturn]] void ThrowOfBlock(const lmo::SurfaceBlock& block, const Error& error)
+/// Calls body(); an error names the block if there are several.
+template <typename Body>
+auto InBlock(
+  const lmo::SurfaceBlock& block, const std::vector<lmo::SurfaceBlock>& blocks, const Body& body)
 {
-  std::string name;
-  for (const unsigned int index : block.path)
+  try
   {
-    name += (name.empty() ? "" : "/") + std::to_string(index);
+    return body();
   }
-  throw Error("Block " + name + ": " + error.what());
+  catch (const lmo::InputError& error)
+  {
+    std::string name;
+    for (const unsigned int index : block.path)
+    {
+      name += (name.empty() ? "" : "/") + std::to_string(index);
+    }
+    throw lmo::InputError((blocks.size() > 1 ? "Block " + name + ": " : "") + error.what());
+  }
 }
 }
 
@@ -90,33 +98,24 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
     });
   if (inputs.reference && reference.empty())
   {
-    reference.push_back(vtkSmartPointer<vtkPolyData>::New());
+    reference.push_back(vtkSmartPointer<vtkPolyData>::New()); // which is an error
   }
   lmo::SurfacePieces optimized;
-  for (std::size_t k = 0; k < blocks.size(); ++k)
+  for (const lmo::SurfaceBlock& block : blocks)
   {
-    const ProgressShare share(this->Filter, k, blocks.size());
-    const auto first = surfaces.begin() + optimized.size();
-    try
-    {
-      Job job;
-      this->Try(
-        [&] {
-          job =
-            this->MakeJob(blocks[k], { first, first + blocks[k].parts.size() }, inputs.selection);
-        });
-      job.reference = reference;
-      const lmo::SurfacePieces ofBlock = this->Optimize(job);
-      optimized.insert(optimized.end(), ofBlock.begin(), ofBlock.end());
-    }
-    catch (const lmo::InputError& error)
-    {
-      if (blocks.size() > 1)
+    const ProgressShare share(this->Filter, &block - blocks.data(), blocks.size());
+    const auto first = surfaces.begin() + static_cast<std::ptrdiff_t>(optimized.size());
+    const lmo::SurfacePieces ofBlock(
+      first, first + static_cast<std::ptrdiff_t>(block.parts.size()));
+    const lmo::SurfacePieces results = InBlock(block, blocks,
+      [&]
       {
-        ThrowOfBlock(blocks[k], error);
-      }
-      throw;
-    }
+        Job job;
+        this->Try([&] { job = this->MakeJob(block, ofBlock, inputs.selection); });
+        job.reference = reference;
+        return this->Optimize(job);
+      });
+    optimized.insert(optimized.end(), results.begin(), results.end());
   }
   lmo::SetParts(inputs.data, optimized, output);
 }

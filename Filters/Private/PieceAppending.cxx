@@ -129,10 +129,15 @@ std::vector<vtkIdType> TakeNumbers(vtkPolyData* surface, vtkIdType count)
 }
 
 GhostCells::GhostCells(vtkPolyData* data)
-  : Marks(data->GetCellData()->HasAnyGhostBitSet(vtkDataSetAttributes::DUPLICATECELL)
-            ? MarksOf(data)
-            : nullptr)
+  : Marks(MarksOf(data))
 {
+  const vtkIdType count = data->GetNumberOfCells();
+  vtkIdType cell = 0;
+  while (this->Marks && cell < count && !(*this)[cell])
+  {
+    ++cell;
+  }
+  this->Marks = cell < count ? this->Marks : nullptr;
 }
 
 bool GhostCells::operator[](vtkIdType cell) const
