@@ -294,8 +294,8 @@ public:
    * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
    * for its points. SelectionUse sets what happens to them. Points that FIXED_POINT_ARRAY or
    * BoundaryCondition fixes do not move in either case. Of a composite data set, each block or
-   * partition reads the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in another way, or
-   * mix points and cells are errors.
+   * partition reads the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in
+   * another way, or mix points and cells are errors.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
   void SetSelectionData(vtkSelection* selection);
@@ -305,11 +305,11 @@ public:
   /**
    * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the
    * input: the surface that the input was made from by remeshing, or by earlier runs, whose errors
-   * add up otherwise. Of a composite data set, all blocks are the reference. Its triangles should face the same side as those of the input. What begins
-   * farther away than MaximumDeviation does not move farther away; a warning counts these
-   * triangles. With InterpolatePointData the output gets the point data and field data that the
-   * reference has and the input has not. Other modes do not use it. Without triangles it is an
-   * error.
+   * add up otherwise. Of a composite data set, all blocks are the reference. Its triangles should
+   * face the same side as those of the input. What begins farther away than MaximumDeviation does
+   * not move farther away; a warning counts these triangles. With InterpolatePointData the output
+   * gets the point data and field data that the reference has and the input has not. Other modes do
+   * not use it. Without triangles it is an error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
   void SetReferenceData(vtkDataSet* reference);
@@ -568,9 +568,9 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Like all metrics below, these are valid after Update(), and are those of all surfaces
-   * of a composite data set: means of all triangles, sums, and values of largest magnitude. They
-   * are -1 or 0 when the output is out of date.
+   * triangles. Like all metrics below, these are valid after Update(), and are those of all
+   * surfaces of a composite data set: means of all triangles, sums, and values of largest
+   * magnitude. They are -1 or 0 when the output is out of date.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);

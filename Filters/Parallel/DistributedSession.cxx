@@ -4,19 +4,14 @@
 
 #include "../Private/FilterSupport.h"
 #include "../Private/OptimizerTables.h"
-#include "../Private/PolyDataConversion.h"
 #include "DistributedOptimizer.h"
+#include "PieceOfMesh.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkGenerateGlobalIds.h"
 #include "vtkMPI.h"
 #include "vtkMPICommunicator.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <map>
@@ -29,58 +24,6 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-std::vector<lmo::GlobalId> ReadIds(vtkDataArray* array)
-{
-  std::vector<lmo::GlobalId> ids(array ? array->GetNumberOfTuples() : 0);
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    ids[i] = static_cast<lmo::GlobalId>(array->GetTuple1(static_cast<vtkIdType>(i)));
-  }
-  return ids;
-}
-
-/// Ids by which points of all processes are the same one: those of the input, or by coordinates.
-std::vector<lmo::GlobalId> GlobalIds(
-  vtkPolyData* input, const lmo::Communicator& comm, vtkMultiProcessController* controller)
-{
-  vtkDataArray* ids = input->GetPointData()->GetGlobalIds();
-  const bool isMissing = input->GetNumberOfPoints() > 0 && !ids;
-  if (comm.Maximum(isMissing) == 0)
-  {
-    return ReadIds(ids);
-  }
-  vtkNew<vtkPolyData> points;
-  points->SetPoints(input->GetPoints());
-  vtkNew<vtkGenerateGlobalIds> generator;
-  generator->SetController(controller);
-  generator->SetInputData(points);
-  generator->Update();
-  return ReadIds(vtkPolyData::SafeDownCast(generator->GetOutput())->GetPointData()->GetGlobalIds());
-}
-
-/// The triangles of the cells that are not marked as duplicates.
-lmo::Triangles TrianglesThatCount(vtkPolyData* input, const lmo::SurfaceMesh& mesh)
-{
-  const lmo::Triangles& triangles = mesh.triangles;
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    input->GetCellData()->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  if (!ghosts)
-  {
-    return triangles;
-  }
-  lmo::Triangles counted(triangles.rows(), 3);
-  Eigen::Index count = 0;
-  for (lmo::Index t = 0; t < triangles.rows(); ++t)
-  {
-    if (!(ghosts->GetValue(mesh.numbering.CellOf(t)) & vtkDataSetAttributes::DUPLICATECELL))
-    {
-      counted.row(count++) = triangles.row(t);
-    }
-  }
-  counted.conservativeResize(count, 3);
-  return counted;
-}
-
 /// A monitor that stops in all processes if one is asked to stop.
 class CollectiveMonitor : public lmo::FilterMonitor
 {
@@ -374,13 +317,7 @@ void vtkPLaplacianMeshOptimizer::DistributedSession::Distribute(vtkPolyData* inp
   const lmo::Communicator comm = this->GetCommunicator();
   lmo::SurfaceMesh mesh;
   comm.Try([&] { mesh = this->Read(input); });
-  lmo::Piece piece;
-  piece.triangles = TrianglesThatCount(input, mesh);
-  piece.points = std::move(mesh.points);
-  if (comm.Sum(std::int64_t(input->GetNumberOfPoints())) > 0)
-  {
-    piece.ids = GlobalIds(input, comm, this->ParallelFilter->GetController());
-  }
+  lmo::Piece piece = lmo::TakePiece(input, mesh, comm, this->ParallelFilter->GetController());
   this->SetOptimizer(input, std::move(mesh.numbering),
     std::make_unique<lmo::DistributedOptimizer>(comm, std::move(piece), std::move(mesh.triangles)));
 }

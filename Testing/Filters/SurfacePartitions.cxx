@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SurfacePartitions.h"
 
+#include "Checks.h"
+#include "MeshMeasures.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
+#include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -78,4 +82,61 @@ PartitionsOfMesh CutIntoPartitions(vtkPolyData* mesh, unsigned int count)
     result.points.push_back(std::move(points));
   }
   return result;
+}
+
+void Precise(vtkLaplacianMeshOptimizer* filter)
+{
+  filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
+  filter->SetTolerance(1e-12);
+}
+
+vtkSmartPointer<vtkPartitionedDataSet> OptimizedPartitions(
+  vtkDataObject* input, const std::function<void(vtkLaplacianMeshOptimizer*)>& setUp)
+{
+  vtkNew<vtkLaplacianMeshOptimizer> filter;
+  filter->SetInputDataObject(input);
+  setUp(filter);
+  filter->Update();
+  return vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+}
+
+vtkPolyData* Part(vtkPartitionedDataSet* partitions, unsigned int k)
+{
+  return partitions ? vtkPolyData::SafeDownCast(partitions->GetPartition(k)) : nullptr;
+}
+
+double DistanceToWhole(
+  const PartitionsOfMesh& mesh, vtkPartitionedDataSet* optimized, vtkPolyData* whole)
+{
+  const Points expected = PointsOf(whole);
+  double difference = 0;
+  for (unsigned int k = 0; k < mesh.points.size(); ++k)
+  {
+    const std::vector<Index>& points = mesh.points[k];
+    const Points moved = PointsOf(Part(optimized, k));
+    difference = Larger(difference, MaximumDistance(moved, expected(points, Eigen::indexing::all)));
+  }
+  return difference;
+}
+
+double DistanceOfCopies(const PartitionsOfMesh& mesh, vtkPartitionedDataSet* optimized)
+{
+  std::vector<std::vector<Vector3>> places(mesh.size);
+  for (unsigned int k = 0; k < mesh.points.size(); ++k)
+  {
+    const Points moved = PointsOf(Part(optimized, k));
+    for (std::size_t i = 0; i < mesh.points[k].size(); ++i)
+    {
+      places[mesh.points[k][i]].push_back(moved.row(static_cast<Eigen::Index>(i)));
+    }
+  }
+  double difference = 0;
+  for (const std::vector<Vector3>& copies : places)
+  {
+    for (const Vector3& copy : copies)
+    {
+      difference = Larger(difference, (copy - copies.front()).cwiseAbs().maxCoeff());
+    }
+  }
+  return difference;
 }

@@ -19,4 +19,20 @@ struct PartitionsOfMesh
 /// 0. The partitions have the points in reverse order, and no arrays.
 PartitionsOfMesh CutIntoPartitions(vtkPolyData* mesh, unsigned int count);
 
+/// OPTIMIZE_TRIANGLES with a small tolerance.
+void Precise(vtkLaplacianMeshOptimizer* filter);
+
+/// Output of a new vtkLaplacianMeshOptimizer; null if it is no vtkPartitionedDataSet.
+vtkSmartPointer<vtkPartitionedDataSet> OptimizedPartitions(
+  vtkDataObject* input, const std::function<void(vtkLaplacianMeshOptimizer*)>& setUp = Precise);
+
+vtkPolyData* Part(vtkPartitionedDataSet* partitions, unsigned int k);
+
+/// The largest distance between points of partitions and those of a whole surface.
+double DistanceToWhole(
+  const PartitionsOfMesh& mesh, vtkPartitionedDataSet* optimized, vtkPolyData* whole);
+
+/// How far apart the copies of a point are, at most.
+double DistanceOfCopies(const PartitionsOfMesh& mesh, vtkPartitionedDataSet* optimized);
+
 #endif
