@@ -54,37 +54,27 @@ std::vector<unsigned int> Describe(const std::vector<lmo::SurfaceBlock>& blocks)
   return numbers;
 }
 
-/// Sets a value for a time.
-class TemporarilyTrue
+/// While it lives, process 0 works alone; at its end, all processes meet.
+class TimeAlone
 {
 public:
-  explicit TemporarilyTrue(bool& value)
-    : Value(value)
-  {
-    value = true;
-  }
-  ~TemporarilyTrue() { this->Value = false; }
-  TemporarilyTrue(const TemporarilyTrue&) = delete;
-  void operator=(const TemporarilyTrue&) = delete;
-
-private:
-  bool& Value;
-};
-
-/// Waits for all processes at the end of its life.
-class Meeting
-{
-public:
-  explicit Meeting(const lmo::Communicator& comm)
+  TimeAlone(const lmo::Communicator& comm, bool& isAlone)
     : Comm(comm)
+    , IsAlone(isAlone)
   {
+    isAlone = true;
   }
-  ~Meeting() { this->Comm.Wait(); }
-  Meeting(const Meeting&) = delete;
-  void operator=(const Meeting&) = delete;
+  ~TimeAlone()
+  {
+    this->IsAlone = false;
+    this->Comm.Wait();
+  }
+  TimeAlone(const TimeAlone&) = delete;
+  void operator=(const TimeAlone&) = delete;
 
 private:
   const lmo::Communicator Comm;
+  bool& IsAlone;
 };
 }
 
@@ -188,6 +178,7 @@ std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::F
     blocks[block.path].parts = std::move(block.parts);
   }
   std::vector<lmo::SurfaceBlock> all;
+  all.reserve(blocks.size());
   for (auto& [path, block] : blocks)
   {
     all.push_back(std::move(block));
@@ -209,8 +200,13 @@ lmo::SurfacePieces vtkPLaplacianMeshOptimizer::DistributedSession::Optimize(cons
   {
     return this->Session::Optimize(job);
   }
-  return this->MustGather() ? this->OptimizeGathered(job)
-                            : this->OptimizeJoined(job, lmo::Joining::SIDE_BY_SIDE);
+  if (this->MustGather())
+  {
+    return this->OptimizeGathered(job);
+  }
+  this->Input = lmo::GatheredPieces();
+  this->ReferenceInput = lmo::GatheredPieces();
+  return this->OptimizeJoined(job, lmo::Joining::SIDE_BY_SIDE);
 }
 
 vtkLaplacianMeshOptimizer::Session::Job vtkPLaplacianMeshOptimizer::DistributedSession::Gather(
@@ -252,12 +248,11 @@ lmo::SurfacePieces vtkPLaplacianMeshOptimizer::DistributedSession::OptimizeGathe
   comm.Try(
     [&]
     {
-      const Meeting meeting(comm);
+      const TimeAlone timeAlone(comm, this->IsAlone);
       if (comm.Rank() > 0)
       {
         return;
       }
-      const TemporarilyTrue alone(this->IsAlone);
       try
       {
         optimized = this->Session::Optimize(whole);

@@ -160,7 +160,7 @@ vtkSmartPointer<vtkCellData> JoinedPieces::CellDataOf(
       missing->InsertNextId(cell);
     }
   }
-  const auto data = TuplesOf(optimized->GetCellData(), cells);
+  auto data = TuplesOf(optimized->GetCellData(), cells);
   for (int a = data->GetNumberOfArrays() - 1; a >= 0; --a)
   {
     vtkAbstractArray* array = data->GetAbstractArray(a);

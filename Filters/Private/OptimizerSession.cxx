@@ -152,6 +152,7 @@ lmo::SurfacePieces vtkLaplacianMeshOptimizer::Session::OptimizeJoined(
   {
     if (pieces.size() == 1 && !isPartitioned)
     {
+      cache = lmo::CachedJoin();
       return Whole{ pieces.front(), {} };
     }
     const lmo::JoinedPieces& joined = cache.Of(pieces, how);
