@@ -11,9 +11,9 @@
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
 #include "Private/ResultArrays.h"
+#include "Private/SurfaceBlocks.h"
 
 #include "vtkCellData.h"
-#include "vtkCommand.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
@@ -26,6 +26,7 @@
 #include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cstring>
 #include <utility>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -37,8 +38,6 @@ vtkObjectFactoryNewMacro(vtkLaplacianMeshOptimizer);
 vtkLaplacianMeshOptimizer::vtkLaplacianMeshOptimizer()
 {
   this->SetNumberOfInputPorts(3);
-  this->AddObserver(vtkCommand::StartEvent, this, &vtkLaplacianMeshOptimizer::StartExecution);
-  this->AddObserver(vtkCommand::EndEvent, this, &vtkLaplacianMeshOptimizer::EndExecution);
 }
 
 vtkLaplacianMeshOptimizer::~vtkLaplacianMeshOptimizer() = default;
@@ -48,27 +47,25 @@ std::unique_ptr<vtkLaplacianMeshOptimizer::Session> vtkLaplacianMeshOptimizer::M
   return std::make_unique<Session>(this);
 }
 
-void vtkLaplacianMeshOptimizer::Session::Execute(
-  const Inputs& inputs, vtkPolyData* output, int pieces)
+void vtkLaplacianMeshOptimizer::Session::OptimizeWhole(
+  const Whole& whole, const Job& job, const Whole& reference, vtkPolyData* output)
 {
-  vtkPolyData* input = this->Surface.Of(inputs.data);
-  vtkPolyData* reference = this->SurfaceOfReference.Of(inputs.reference);
-  this->CheckPieces(pieces);
+  vtkPolyData* input = whole.data;
   lmo::OptimizerOptions options;
   this->Try([&] { options = this->ReadOptions(input); });
   const std::unique_ptr<lmo::ProgressMonitor> monitor = this->MakeMonitor();
   monitor->Begin("Reading the mesh");
-  this->SetInput(input);
+  this->SetInput(input, whole.firstPoints);
   lmo::VertexArrays arrays;
   this->Try(
     [&]
     {
-      arrays = this->ReadArrays(input, this->SelectedPointsOf(inputs, input));
+      arrays = this->ReadArrays(input, job.isSelected);
       arrays.reference = this->ReadReference(reference);
-      arrays.earlier = this->FindEarlierStep(inputs);
+      arrays.earlier = this->FindEarlierStep(job);
     });
   lmo::OptimizerResult result = this->Optimizer->Run(options, arrays, *monitor);
-  this->KeepStep(inputs, result);
+  this->KeepStep(job, result);
   this->Try([&] { lmo::CheckRange(result.positions, this->Numbering); });
   this->Warn(options, result);
   if (result.isCancelled)
@@ -83,18 +80,8 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   lmo::ResultArrays results;
   this->AddMetrics(result);
   this->WriteMetrics(result, results, output->GetFieldData());
-  this->WritePoints(std::move(result), input, reference, results, output);
+  this->WritePoints(std::move(result), input, reference.data, results, output);
   results.Warn(this->Filter);
-  this->HasResult = pieces == 1;
-}
-
-void vtkLaplacianMeshOptimizer::Session::ReturnInput(const Inputs& inputs, vtkPolyData* output)
-{
-  vtkPolyData* surface = this->Surface.Of(inputs.data);
-  if (this->HasResult && this->IsStill(surface))
-  {
-    output->ShallowCopy(surface);
-  }
 }
 
 void vtkLaplacianMeshOptimizer::Session::Warn(
@@ -217,7 +204,15 @@ void vtkLaplacianMeshOptimizer::SetReferenceData(vtkDataSet* reference)
 
 int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 1 ? "vtkSelection" : "vtkDataSet");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkSelection");
+  }
+  else
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  }
   if (port > 0)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
@@ -225,24 +220,27 @@ int vtkLaplacianMeshOptimizer::FillInputPortInformation(int port, vtkInformation
   return 1;
 }
 
-void vtkLaplacianMeshOptimizer::StartExecution()
+int vtkLaplacianMeshOptimizer::FillOutputPortInformation(int, vtkInformation* info)
 {
-  if (this->ExecutionDepth++ == 0)
-  {
-    if (!this->State)
-    {
-      this->State = this->MakeSession();
-    }
-    this->State->Begin(this->GetInputDataObject(0, 0));
-  }
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // as the input
+  return 1;
 }
 
-void vtkLaplacianMeshOptimizer::EndExecution()
+vtkTypeBool vtkLaplacianMeshOptimizer::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (--this->ExecutionDepth == 0)
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {
-    this->State->Begin(nullptr);
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
   }
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* output = vtkDataObject::GetData(info);
+  const auto fitting = lmo::NewOutputFor(vtkDataObject::GetData(inputVector[0]));
+  if (!output || std::strcmp(output->GetClassName(), fitting->GetClassName()) != 0)
+  {
+    info->Set(vtkDataObject::DATA_OBJECT(), fitting);
+  }
+  return 1;
 }
 
 int vtkLaplacianMeshOptimizer::UpdateMetrics()
@@ -265,9 +263,9 @@ int vtkLaplacianMeshOptimizer::RequestInformation(
 int vtkLaplacianMeshOptimizer::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const Session::Inputs inputs{ vtkDataSet::GetData(inputVector[0]),
-    vtkSelection::GetData(inputVector[1]), vtkDataSet::GetData(inputVector[2]) };
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const Session::Inputs inputs{ vtkDataObject::GetData(inputVector[0]),
+    vtkSelection::GetData(inputVector[1]), vtkDataObject::GetData(inputVector[2]) };
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   using Pipeline = vtkStreamingDemandDrivenPipeline;
   vtkInformation* request = outputVector->GetInformationObject(0);
   const int pieces = request->Has(Pipeline::UPDATE_NUMBER_OF_PIECES())

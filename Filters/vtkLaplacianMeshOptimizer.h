@@ -38,11 +38,15 @@
  * only, and cotangents by virtual refinement (Bunge et al. 2020). Distances, normals of triangles,
  * volumes, RobustLaplacian and SMOOTH_GUIDED take the triangles into which the filter cuts them:
  * quads along the diagonal that is inside, the shorter one if both are; larger polygons as
- * vtkPolygon does. Over several processes all is done on these triangles. Points with float
- * coordinates give float coordinates, all others double. A composite data set is treated block by
- * block, each with statistics of its own. A surface in pieces on several processes needs
- * vtkPLaplacianMeshOptimizer, which New() makes if the program has the module
- * VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
+ * vtkPolygon does. Over several processes, what works on pieces is done on these triangles. Points
+ * with float coordinates give float coordinates, all others double.
+ *
+ * The partitions of a vtkPartitionedDataSet are pieces of one surface: ghost cells are ignored, and
+ * points of different partitions are one if they have the same global id or, without global ids,
+ * the same coordinates at the border of a partition. Different blocks of a composite data set are
+ * different surfaces, each with statistics of its own. The output has the structure of the input. A
+ * surface in pieces on several processes needs vtkPLaplacianMeshOptimizer, which New() makes if the
+ * program has the module VTK::FiltersLaplacianMeshParallel; without it, pieces are an error.
  *
  * Output: the input with new coordinates and with these arrays.
  * - Cell data `RadiusRatio` and `InputRadiusRatio`: 2 r / R of each triangle (Eqn. 12), from 0
@@ -84,6 +88,10 @@ public:
   static vtkLaplacianMeshOptimizer* New();
   vtkTypeMacro(vtkLaplacianMeshOptimizer, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// Makes an output of the type of the input.
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   enum ModeType
   {
@@ -165,8 +173,7 @@ public:
    * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
    * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays; in several
-   * processes, where it does not work, choose OPTIMIZE_TRIANGLES.
-   * Default: OPTIMIZE_WITHIN_DEVIATION.
+   * processes, one of them gathers the whole surface for it. Default: OPTIMIZE_WITHIN_DEVIATION.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -286,9 +293,9 @@ public:
   /**
    * Optional selection of points or cells on port 1, as the user makes it in a view; a cell stands
    * for its points. SelectionUse sets what happens to them. Points that FIXED_POINT_ARRAY or
-   * BoundaryCondition fixes do not move in either case. Of a composite data set, each block reads
-   * the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in another way, or
-   * mix points and cells are errors.
+   * BoundaryCondition fixes do not move in either case. Of a composite data set, each block or
+   * partition reads the nodes of its COMPOSITE_INDEX. Selections that are queries, name blocks in
+   * another way, or mix points and cells are errors.
    */
   void SetSelectionConnection(vtkAlgorithmOutput* selection);
   void SetSelectionData(vtkSelection* selection);
@@ -298,11 +305,11 @@ public:
   /**
    * Optional surface on port 2 that OPTIMIZE_WITHIN_DEVIATION stays near, in the place of the
    * input: the surface that the input was made from by remeshing, or by earlier runs, whose errors
-   * add up otherwise. Its triangles should face the same side as those of the input. What begins
-   * farther away than MaximumDeviation does not move farther away; a warning counts these
-   * triangles. With InterpolatePointData the output gets the point data and field data that the
-   * reference has and the input has not. Other modes do not use it. Without triangles it is an
-   * error.
+   * add up otherwise. Of a composite data set, all blocks are the reference. Its triangles should
+   * face the same side as those of the input. What begins farther away than MaximumDeviation does
+   * not move farther away; a warning counts these triangles. With InterpolatePointData the output
+   * gets the point data and field data that the reference has and the input has not. Other modes do
+   * not use it. Without triangles it is an error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
   void SetReferenceData(vtkDataSet* reference);
@@ -514,8 +521,8 @@ public:
    * the point normals are interpolated too, with unit length, instead of computed anew.
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
-   * points, and fields are displaced with them; so it is over several processes in either case.
-   * Default: on.
+   * points, and fields are displaced with them; so it is in OPTIMIZE_TRIANGLES over several
+   * processes in either case. Default: on.
    */
   vtkSetMacro(InterpolatePointData, vtkTypeBool);
   vtkGetMacro(InterpolatePointData, vtkTypeBool);
@@ -575,9 +582,9 @@ public:
   ///@{
   /**
    * Mean and minimum of the triangles' radius ratios after and before, 0 to 1; -1 if there are no
-   * triangles. Like all metrics below, these are valid after Update(), and are those of all blocks
-   * of a composite data set: means of all triangles, sums, and values of largest magnitude. They
-   * are -1 or 0 when the output is out of date.
+   * triangles. Like all metrics below, these are valid after Update(), and are those of all
+   * surfaces of a composite data set: means of all triangles, sums, and values of largest
+   * magnitude. They are -1 or 0 when the output is out of date.
    */
   vtkGetMacro(MeanRadiusRatio, double);
   vtkGetMacro(MinimumRadiusRatio, double);
@@ -677,6 +684,7 @@ protected:
   ~vtkLaplacianMeshOptimizer() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestInformation(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -743,15 +751,10 @@ protected:
   vtkIdType SelfIntersections = 0;
 
 private:
-  /// The executions of the blocks of a composite data set are nested in one that is for all.
-  void StartExecution();
-  void EndExecution();
-
   vtkLaplacianMeshOptimizer(const vtkLaplacianMeshOptimizer&) = delete;
   void operator=(const vtkLaplacianMeshOptimizer&) = delete;
 
   std::unique_ptr<Session> State;
-  int ExecutionDepth = 0;
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -5,8 +5,10 @@
 #include "Core/Base/Exceptions.h"
 
 #include <algorithm>
+#include <chrono>
 #include <new>
 #include <numeric>
+#include <thread>
 
 namespace lmo
 {
@@ -32,6 +34,16 @@ Communicator::Communicator(MPI_Comm comm)
 {
   MPI_Comm_rank(comm, &this->ThisRank);
   MPI_Comm_size(comm, &this->NumberOfRanks);
+}
+
+int Communicator::SizeOnComputer() const
+{
+  MPI_Comm computer;
+  MPI_Comm_split_type(this->Comm, MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &computer);
+  int size = 1;
+  MPI_Comm_size(computer, &size);
+  MPI_Comm_free(&computer);
+  return size;
 }
 
 double Communicator::Sum(double value) const
@@ -95,6 +107,19 @@ void Communicator::Try(const std::function<void()>& body) const
   text.resize(size);
   MPI_Bcast(text.data(), size, MPI_CHAR, first, this->Comm);
   throw InputError("Process " + std::to_string(first) + ": " + text);
+}
+
+void Communicator::Wait() const
+{
+  MPI_Request arrival;
+  MPI_Ibarrier(this->Comm, &arrival);
+  int haveAllArrived = 0;
+  MPI_Test(&arrival, &haveAllArrived, MPI_STATUS_IGNORE);
+  while (!haveAllArrived)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    MPI_Test(&arrival, &haveAllArrived, MPI_STATUS_IGNORE);
+  }
 }
 
 std::vector<int> Communicator::ExchangeCounts(const std::vector<int>& counts) const

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace lmo
@@ -27,6 +28,9 @@ public:
   int Rank() const { return this->ThisRank; }
   int Size() const { return this->NumberOfRanks; }
 
+  /// Number of processes on the computer of this one.
+  int SizeOnComputer() const;
+
   double Sum(double value) const;
   double Maximum(double value) const;
   std::int64_t Sum(std::int64_t value) const;
@@ -42,9 +46,17 @@ public:
   /// \throw InputError, in every process, with the text of the first one in which body() throws.
   void Try(const std::function<void()>& body) const;
 
+  /// Sleeps until all processes have called this: the usual ways of waiting keep a processor busy,
+  /// which another process may need.
+  void Wait() const;
+
   /// The lists of all processes, one after the other.
   template <typename T>
   std::vector<T> Join(const std::vector<T>& list) const;
+
+  /// The lists of all processes in process 0, one after the other; nothing in the others.
+  template <typename T>
+  std::vector<T> Gather(std::vector<T> list) const;
 
   /// Sends a list to each process.
   /// \return the lists that the processes sent to this one
@@ -88,6 +100,19 @@ PerProcess<T> Communicator::Exchange(const PerProcess<T>& lists) const
     begin += receiveCounts[rank];
   }
   return result;
+}
+
+template <typename T>
+std::vector<T> Communicator::Gather(std::vector<T> list) const
+{
+  PerProcess<T> lists(this->Size());
+  lists[0] = std::move(list);
+  std::vector<T> gathered;
+  for (const std::vector<T>& part : this->Exchange(lists))
+  {
+    gathered.insert(gathered.end(), part.begin(), part.end());
+  }
+  return gathered;
 }
 
 template <typename T>

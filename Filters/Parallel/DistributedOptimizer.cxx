@@ -5,6 +5,8 @@
 #include "DistributedSubdomain.h"
 #include "PetscSolver.h"
 
+#include <stdexcept>
+
 namespace lmo
 {
 namespace
@@ -21,7 +23,7 @@ std::optional<Values> FromPiece(
   return mesh.FromPiece(array ? *array : Values(0, columns));
 }
 
-/// All but features, reference and earlier step, whose modes CheckOptions() refuses. Another one
+/// All but features, reference and earlier step, whose modes need the whole surface. Another one
 /// does not compile here before it has been thought of.
 VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
 {
@@ -45,37 +47,14 @@ std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
   quality->minimum = vertices.minimum;
   return quality;
 }
-
-/// \throw InputError for what works in one process only.
-void CheckOptions(const OptimizerOptions& options)
-{
-  struct Choice
-  {
-    bool isChosen;
-    const char* name;
-    const char* remedy;
-  };
-  const Choice choices[] = {
-    { options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION, "Mode OPTIMIZE_WITHIN_DEVIATION",
-      "Choose OPTIMIZE_TRIANGLES" },
-    { options.mode == Mode::SMOOTH_GUIDED, "Mode SMOOTH_GUIDED", "Choose SMOOTH" },
-    { options.robustLaplacian, "RobustLaplacian", "Switch it off" },
-    { options.boundaryCondition == BoundaryCondition::CURVE, "BoundaryCondition CURVE",
-      "Choose SLIDING" },
-    { options.featureSmoothing, "FeatureSmoothing", "Switch it off" },
-    { options.featureConstraints, "FeatureConstraints", "Switch them off" },
-    { options.preserveVolume, "PreserveVolume", "Switch it off" },
-    { options.checkSelfIntersections, "CheckSelfIntersections", "Switch it off" },
-  };
-  for (const auto& [isChosen, name, remedy] : choices)
-  {
-    if (isChosen)
-    {
-      throw InputError(
-        std::string(name) + " works in one process only. " + remedy + ", or run in one process.");
-    }
-  }
 }
+
+bool NeedsWholeSurface(const OptimizerOptions& options)
+{
+  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION || options.mode == Mode::SMOOTH_GUIDED ||
+         options.robustLaplacian || options.boundaryCondition == BoundaryCondition::CURVE ||
+         options.featureSmoothing || options.featureConstraints || options.preserveVolume ||
+         options.checkSelfIntersections;
 }
 
 DistributedOptimizer::Parts DistributedOptimizer::Distribute(const Communicator& comm, Piece piece)
@@ -116,7 +95,10 @@ DistributedOptimizer::DistributedOptimizer(
 OptimizerResult DistributedOptimizer::Run(
   const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
-  CheckOptions(options);
+  if (NeedsWholeSurface(options))
+  {
+    throw std::logic_error("DistributedOptimizer has a part of the surface only.");
+  }
   if (!this->Mesh)
   {
     return this->Optimizer::Run(options, {}, monitor);

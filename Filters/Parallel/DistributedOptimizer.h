@@ -8,6 +8,9 @@
 
 namespace lmo
 {
+/// True for options that work on a whole surface in one process only.
+bool NeedsWholeSurface(const OptimizerOptions& options);
+
 /// Optimizer for a surface over several processes. All functions are collective, and every process
 /// throws what one throws.
 class DistributedOptimizer : public Optimizer

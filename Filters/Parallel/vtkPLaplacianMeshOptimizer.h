@@ -13,7 +13,14 @@
  * identical in all processes. Cells that vtkGhostType marks as duplicates do not count. Pieces may
  * be cut in any way and may be empty.
  *
- * A composite data set is an error in several processes, which may hold different blocks of it.
+ * Of a composite data set, the blocks with the same index on all processes are the pieces of one
+ * surface; different blocks are different surfaces. The partitions of a vtkPartitionedDataSet are
+ * pieces, too.
+ *
+ * What needs the whole surface is done by process 0, which gathers the pieces, optimizes them as
+ * one process does, and hands the results back: OPTIMIZE_WITHIN_DEVIATION, SMOOTH_GUIDED,
+ * RobustLaplacian, FeatureConstraints, FeatureSmoothing, BoundaryCondition CURVE, PreserveVolume
+ * and CheckSelfIntersections. All else is done where the pieces are.
  *
  * Every process has to execute the filter, with the same properties. An error in one process is an
  * error in all. The metrics, on every process, are those of the whole surface. With one process, or
@@ -64,7 +71,6 @@ protected:
   vtkPLaplacianMeshOptimizer();
   ~vtkPLaplacianMeshOptimizer() override;
 
-  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   std::unique_ptr<Session> MakeSession() override;
 
@@ -75,8 +81,6 @@ private:
   void operator=(const vtkPLaplacianMeshOptimizer&) = delete;
 
   class DistributedSession;
-
-  bool HasBlocks = false; ///< the input is composite, which was reported as an error
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoincidentPoints.h"
 
-#include "Core/Mesh/MeshTopology.h"
-
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -16,9 +14,8 @@ bool HaveSameCoordinates(const Points& V, Index i, Index j)
 {
   return V.row(i) == V.row(j);
 }
+}
 
-/// The points that share their coordinates with another one, those of one place together and
-/// ascending.
 std::vector<Index> PointsWithTwins(const Points& V)
 {
   std::vector<Index> points(V.rows());
@@ -48,7 +45,6 @@ std::vector<Index> PointsWithTwins(const Points& V)
   return twins;
 }
 
-/// True if an edge at the point belongs to exactly one triangle.
 bool IsOnBoundary(const AdjacencyLists& cornersAt, const Triangles& triangles, Index point)
 {
   std::vector<Index> neighbours;
@@ -68,7 +64,6 @@ bool IsOnBoundary(const AdjacencyLists& cornersAt, const Triangles& triangles, I
     first = last;
   }
   return false;
-}
 }
 
 std::vector<Index> FindCoincidentBoundaryPoints(const Points& V, const Triangles& triangles)

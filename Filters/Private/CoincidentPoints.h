@@ -3,7 +3,7 @@
 #ifndef CoincidentPoints_h
 #define CoincidentPoints_h
 
-#include "Core/Base/Types.h"
+#include "Core/Mesh/MeshTopology.h"
 
 #include <vector>
 
@@ -16,6 +16,13 @@ namespace lmo
 /// \param triangles by point ids
 /// \return for each point the lowest point that is the same vertex; empty if no two are the same
 std::vector<Index> FindCoincidentBoundaryPoints(const Points& V, const Triangles& triangles);
+
+/// The points that share their coordinates with another one, those of one place together and
+/// ascending.
+std::vector<Index> PointsWithTwins(const Points& V);
+
+/// True if an edge at the point belongs to exactly one triangle.
+bool IsOnBoundary(const AdjacencyLists& cornersAt, const Triangles& triangles, Index point);
 }
 
 #endif

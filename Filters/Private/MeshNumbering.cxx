@@ -16,21 +16,30 @@ MeshNumbering::MeshNumbering(
 {
 }
 
-void MeshNumbering::Merge(const std::vector<Index>& firstPoints)
+std::vector<Index> MeshNumbering::Merge(const std::vector<Index>& lowest)
 {
-  this->Vertices.resize(this->NumberOfPoints);
-  for (Index point = 0; point < this->NumberOfPoints; ++point)
+  std::vector<Index> newNumbers(lowest.size());
+  std::vector<Index> firstPoints;
+  for (Index vertex = 0; vertex < static_cast<Index>(lowest.size()); ++vertex)
   {
-    if (firstPoints[point] == point)
+    if (lowest[vertex] == vertex)
     {
-      this->Vertices[point] = static_cast<Index>(this->FirstPoints.size());
-      this->FirstPoints.push_back(point);
+      newNumbers[vertex] = static_cast<Index>(firstPoints.size());
+      firstPoints.push_back(this->FirstPointOf(vertex));
     }
     else
     {
-      this->Vertices[point] = this->Vertices[firstPoints[point]];
+      newNumbers[vertex] = newNumbers[lowest[vertex]];
     }
   }
+  std::vector<Index> vertices(this->NumberOfPoints);
+  for (Index point = 0; point < this->NumberOfPoints; ++point)
+  {
+    vertices[point] = newNumbers[this->VertexOf(point)];
+  }
+  this->Vertices = std::move(vertices);
+  this->FirstPoints = std::move(firstPoints);
+  return newNumbers;
 }
 
 void MeshNumbering::Renumber(const MeshOrder& order)

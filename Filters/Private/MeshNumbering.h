@@ -32,9 +32,10 @@ public:
   /// Every point is the vertex of the same number.
   MeshNumbering(vtkIdType points, Index triangles, vtkIdType cells, TriangleCells triangleCells);
 
-  /// Makes points one vertex; of a numbering where every point is a vertex.
-  /// \param firstPoints for each point the lowest point that is the same vertex
-  void Merge(const std::vector<Index>& firstPoints);
+  /// Makes vertices one.
+  /// \param lowest for each vertex the lowest one that is the same
+  /// \return the new number of each vertex
+  std::vector<Index> Merge(const std::vector<Index>& lowest);
 
   /// Gives vertices and triangles new numbers.
   void Renumber(const MeshOrder& order);

@@ -111,13 +111,6 @@ double vtkLaplacianMeshOptimizer::GetDeviationLength()
   return diagonal < 0 ? -1 : this->MaximumDeviation * unit;
 }
 
-void vtkLaplacianMeshOptimizer::Session::Begin(vtkDataObject* data)
-{
-  this->Blocks = vtkCompositeDataSet::SafeDownCast(data);
-  this->Totals.clear();
-  this->TotalTriangles = 0;
-}
-
 void vtkLaplacianMeshOptimizer::Session::WriteMetrics(
   const lmo::OptimizerResult& result, lmo::ResultArrays& results, vtkFieldData* fieldData) const
 {

@@ -5,8 +5,6 @@
 #include "PointSelection.h"
 #include "PolyDataConversion.h"
 
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataObject.h"
 #include "vtkDataSet.h"
@@ -98,35 +96,12 @@ vtkDataArray* vtkLaplacianMeshOptimizer::Session::FindArray(int index, vtkPolyDa
   return array;
 }
 
-std::optional<unsigned int> vtkLaplacianMeshOptimizer::Session::CompositeIndexOf(
-  vtkDataSet* block) const
+lmo::Vector vtkLaplacianMeshOptimizer::Session::SelectedPointsOf(
+  const lmo::SurfacePart& part, vtkSelection* selection, vtkPolyData* surface) const
 {
-  if (!this->Blocks)
-  {
-    return std::nullopt;
-  }
-  const auto leaf = vtk::TakeSmartPointer(this->Blocks->NewIterator());
-  for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
-  {
-    if (leaf->GetCurrentDataObject() == block)
-    {
-      return leaf->GetCurrentFlatIndex();
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<lmo::Vector> vtkLaplacianMeshOptimizer::Session::SelectedPointsOf(
-  const Inputs& inputs, vtkPolyData* surface) const
-{
-  if (!inputs.selection)
-  {
-    return std::nullopt;
-  }
-  lmo::Vector isSelected =
-    lmo::SelectedPoints(inputs.data, inputs.selection, this->CompositeIndexOf(inputs.data));
+  lmo::Vector isSelected = lmo::SelectedPoints(part.data, selection, part.flatIndex);
   auto* originalIds = vtkIdTypeArray::SafeDownCast(
-    surface == inputs.data ? nullptr : surface->GetPointData()->GetArray("vtkOriginalPointIds"));
+    surface == part.data ? nullptr : surface->GetPointData()->GetArray("vtkOriginalPointIds"));
   if (originalIds)
   {
     lmo::Vector ofSurface(surface->GetNumberOfPoints());

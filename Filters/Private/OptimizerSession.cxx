@@ -5,10 +5,13 @@
 #include "FilterSupport.h"
 #include "PointDataInterpolation.h"
 
-#include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+
+#include <algorithm>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -20,6 +23,184 @@ vtkLaplacianMeshOptimizer::Session::Session(vtkLaplacianMeshOptimizer* filter)
 }
 
 vtkLaplacianMeshOptimizer::Session::~Session() = default;
+
+namespace
+{
+/// The share of one of several surfaces in the progress of a filter.
+class ProgressShare
+{
+public:
+  ProgressShare(vtkAlgorithm* filter, std::size_t surface, std::size_t surfaces)
+    : Filter(filter)
+  {
+    const double share = 1.0 / static_cast<double>(surfaces);
+    filter->SetProgressShiftScale(share * static_cast<double>(surface), share);
+  }
+  ~ProgressShare() { this->Filter->SetProgressShiftScale(0, 1); }
+  ProgressShare(const ProgressShare&) = delete;
+  void operator=(const ProgressShare&) = delete;
+
+private:
+  vtkAlgorithm* const Filter;
+};
+
+/// The surfaces of all parts of a data object, one after the other.
+lmo::SurfacePieces SurfacesOf(
+  const std::vector<lmo::SurfaceBlock>& blocks, std::vector<lmo::CachedSurface>& cache)
+{
+  lmo::SurfacePieces surfaces;
+  for (const lmo::SurfaceBlock& block : blocks)
+  {
+    for (const lmo::SurfacePart& part : block.parts)
+    {
+      cache.resize(std::max(cache.size(), surfaces.size() + 1));
+      surfaces.push_back(cache[surfaces.size()].Of(part.data));
+    }
+  }
+  return surfaces;
+}
+
+/// Calls body(); an error names the block if there are several.
+template <typename Body>
+auto InBlock(
+  const lmo::SurfaceBlock& block, const std::vector<lmo::SurfaceBlock>& blocks, const Body& body)
+{
+  try
+  {
+    return body();
+  }
+  catch (const lmo::InputError& error)
+  {
+    std::string name;
+    for (const unsigned int index : block.path)
+    {
+      name += (name.empty() ? "" : "/") + std::to_string(index);
+    }
+    throw lmo::InputError((blocks.size() > 1 ? "Block " + name + ": " : "") + error.what());
+  }
+}
+}
+
+void vtkLaplacianMeshOptimizer::Session::Execute(
+  const Inputs& inputs, vtkDataObject* output, int pieces)
+{
+  this->CheckPieces(pieces);
+  this->Totals.clear();
+  this->TotalTriangles = 0;
+  const std::vector<lmo::SurfaceBlock> blocks = this->FindBlocks(inputs.data);
+  lmo::SurfacePieces surfaces;
+  lmo::SurfacePieces reference;
+  this->Try(
+    [&]
+    {
+      surfaces = SurfacesOf(blocks, this->Surfaces);
+      reference = SurfacesOf(lmo::FindBlocks(inputs.reference), this->SurfacesOfReference);
+    });
+  if (inputs.reference && reference.empty())
+  {
+    reference.push_back(vtkSmartPointer<vtkPolyData>::New()); // which is an error
+  }
+  lmo::SurfacePieces optimized;
+  for (const lmo::SurfaceBlock& block : blocks)
+  {
+    const ProgressShare share(this->Filter, &block - blocks.data(), blocks.size());
+    const auto first = surfaces.begin() + static_cast<std::ptrdiff_t>(optimized.size());
+    const lmo::SurfacePieces ofBlock(
+      first, first + static_cast<std::ptrdiff_t>(block.parts.size()));
+    const lmo::SurfacePieces results = InBlock(block, blocks,
+      [&]
+      {
+        Job job;
+        this->Try([&] { job = this->MakeJob(block, ofBlock, inputs.selection); });
+        job.reference = reference;
+        return this->Optimize(job);
+      });
+    optimized.insert(optimized.end(), results.begin(), results.end());
+  }
+  lmo::SetParts(inputs.data, optimized, output);
+  this->HasResult = pieces == 1;
+}
+
+void vtkLaplacianMeshOptimizer::Session::ReturnInput(const Inputs& inputs, vtkDataObject* output)
+{
+  const lmo::SurfacePieces surfaces = SurfacesOf(this->FindBlocks(inputs.data), this->Surfaces);
+  if (this->HasResult && surfaces.size() == 1 && this->IsStill(surfaces.front()))
+  {
+    lmo::SetParts(inputs.data, surfaces, output);
+  }
+}
+
+vtkLaplacianMeshOptimizer::Session::Job vtkLaplacianMeshOptimizer::Session::MakeJob(
+  const lmo::SurfaceBlock& block, const lmo::SurfacePieces& surfaces, vtkSelection* selection) const
+{
+  Job job{ surfaces, block.path, block.isPartitioned, std::nullopt, {} };
+  if (!selection)
+  {
+    return job;
+  }
+  std::vector<double> isSelected;
+  for (std::size_t k = 0; k < surfaces.size(); ++k)
+  {
+    const lmo::Vector ofPart = this->SelectedPointsOf(block.parts[k], selection, surfaces[k]);
+    isSelected.insert(isSelected.end(), ofPart.begin(), ofPart.end());
+  }
+  job.isSelected =
+    Eigen::Map<const lmo::Vector>(isSelected.data(), static_cast<Eigen::Index>(isSelected.size()));
+  return job;
+}
+
+lmo::SurfacePieces vtkLaplacianMeshOptimizer::Session::Optimize(const Job& job)
+{
+  return this->OptimizeJoined(job, lmo::Joining::ONE_SURFACE);
+}
+
+lmo::SurfacePieces vtkLaplacianMeshOptimizer::Session::OptimizeJoined(
+  const Job& job, lmo::Joining joining)
+{
+  const auto join = [](const lmo::SurfacePieces& pieces, bool isPartitioned, lmo::Joining how,
+                      lmo::CachedJoin& cache)
+  {
+    if (pieces.size() == 1 && !isPartitioned)
+    {
+      cache = lmo::CachedJoin();
+      return Whole{ pieces.front(), {} };
+    }
+    const lmo::JoinedPieces& joined = cache.Of(pieces, how);
+    return Whole{ joined.GetSurface(), joined.GetFirstPoints() };
+  };
+  Whole whole;
+  Whole reference;
+  this->Try(
+    [&]
+    {
+      whole = join(job.pieces, job.isPartitioned, joining, this->Joined);
+      if (!job.reference.empty())
+      {
+        reference = join(job.reference, false, lmo::Joining::ONE_SURFACE, this->JoinedReference);
+      }
+    });
+  vtkNew<vtkPolyData> optimized;
+  this->OptimizeWhole(whole, job, reference, optimized);
+  if (job.pieces.size() == 1 && !job.isPartitioned)
+  {
+    return { optimized };
+  }
+  lmo::SurfacePieces pieces;
+  lmo::ResultArrays results;
+  for (std::size_t k = 0; k < job.pieces.size(); ++k)
+  {
+    pieces.push_back(
+      this->Joined.Of(job.pieces, joining).HandBack(job.pieces[k], k, optimized, results));
+  }
+  results.Warn(this->Filter);
+  return pieces;
+}
+
+std::vector<lmo::SurfaceBlock> vtkLaplacianMeshOptimizer::Session::FindBlocks(
+  vtkDataObject* data) const
+{
+  return lmo::FindBlocks(data);
+}
 
 void vtkLaplacianMeshOptimizer::Session::CheckPieces(int pieces) const
 {
@@ -83,9 +264,11 @@ bool vtkLaplacianMeshOptimizer::Session::IsStill(vtkPolyData* surface) const
   return isSame;
 }
 
-lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(vtkPolyData* data) const
+lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(
+  vtkPolyData* data, const std::vector<lmo::Index>& firstPoints) const
 {
   lmo::SurfaceMesh mesh = Read(data);
+  lmo::MergeVertices(mesh, firstPoints);
   if (this->Filter->WeldCoincidentPoints)
   {
     lmo::WeldCoincidentPoints(mesh);
@@ -93,13 +276,14 @@ lmo::SurfaceMesh vtkLaplacianMeshOptimizer::Session::ReadWelded(vtkPolyData* dat
   return mesh;
 }
 
-void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
+void vtkLaplacianMeshOptimizer::Session::SetInput(
+  vtkPolyData* input, const std::vector<lmo::Index>& firstPoints)
 {
   if (this->IsNew(input))
   {
     this->HasResult = this->HasResult && this->IsStill(input);
     this->Optimizer.reset(); // its memory serves for the next one
-    lmo::SurfaceMesh mesh = this->ReadWelded(input);
+    lmo::SurfaceMesh mesh = this->ReadWelded(input, firstPoints);
     lmo::RenumberIfScattered(mesh);
     this->SetOptimizer(input, std::move(mesh.numbering),
       std::make_unique<lmo::Optimizer>(
@@ -108,19 +292,19 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(vtkPolyData* input)
 }
 
 std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::ReadReference(
-  vtkPolyData* reference)
+  const Whole& reference)
 {
-  if (!reference || this->Filter->Mode != OPTIMIZE_WITHIN_DEVIATION)
+  if (!reference.data || this->Filter->Mode != OPTIMIZE_WITHIN_DEVIATION)
   {
     this->Reference.reset();
     return nullptr;
   }
-  if (!this->Reference || !(this->ReferenceOrigin == this->OriginOf(reference)))
+  if (!this->Reference || !(this->ReferenceOrigin == this->OriginOf(reference.data)))
   {
     this->Reference.reset();
     try
     {
-      lmo::SurfaceMesh mesh = this->ReadWelded(reference);
+      lmo::SurfaceMesh mesh = this->ReadWelded(reference.data, reference.firstPoints);
       this->ReferenceNumbering = std::move(mesh.numbering);
       this->Reference =
         std::make_shared<lmo::MeshQuantities>(std::move(mesh.points), std::move(mesh.triangles));
@@ -129,7 +313,7 @@ std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::R
     {
       throw lmo::InputError("The Reference cannot be used. " + std::string(error.what()));
     }
-    this->ReferenceOrigin = this->OriginOf(reference);
+    this->ReferenceOrigin = this->OriginOf(reference.data);
   }
   if (this->Reference->GetBox().isEmpty())
   {
@@ -139,20 +323,20 @@ std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::R
 }
 
 vtkLaplacianMeshOptimizer::Session::TimeSteps* vtkLaplacianMeshOptimizer::Session::StepsOf(
-  const Inputs& inputs)
+  const Job& job)
 {
   if (this->Filter->StartFromPreviousTimeStep && this->Filter->Mode == OPTIMIZE_WITHIN_DEVIATION)
   {
-    return &this->Steps[this->CompositeIndexOf(inputs.data).value_or(0)];
+    return &this->Steps[job.path];
   }
   this->Steps.clear();
   return nullptr;
 }
 
 std::shared_ptr<const lmo::EarlierStep> vtkLaplacianMeshOptimizer::Session::FindEarlierStep(
-  const Inputs& inputs)
+  const Job& job)
 {
-  TimeSteps* steps = this->StepsOf(inputs);
+  TimeSteps* steps = this->StepsOf(job);
   if (!steps)
   {
     return nullptr;
@@ -172,9 +356,9 @@ std::shared_ptr<const lmo::EarlierStep> vtkLaplacianMeshOptimizer::Session::Find
 }
 
 void vtkLaplacianMeshOptimizer::Session::KeepStep(
-  const Inputs& inputs, const lmo::OptimizerResult& result)
+  const Job& job, const lmo::OptimizerResult& result)
 {
-  TimeSteps* steps = this->StepsOf(inputs);
+  TimeSteps* steps = this->StepsOf(job);
   if (steps && !result.isCancelled)
   {
     const lmo::MeshQuantities& mesh = this->Optimizer->GetMesh();

@@ -4,8 +4,10 @@
 #define OptimizerSession_h
 
 #include "Core/Optimizer/Optimizer.h"
+#include "JoinedPieces.h"
 #include "PolyDataConversion.h"
 #include "ResultArrays.h"
+#include "SurfaceBlocks.h"
 #include "SurfaceExtraction.h"
 
 #include "vtkLaplacianMeshOptimizer.h"
@@ -16,10 +18,8 @@
 VTK_ABI_NAMESPACE_BEGIN
 #endif
 
-class vtkCompositeDataSet;
 class vtkDataArray;
 class vtkDataObject;
-class vtkDataSet;
 class vtkFieldData;
 class vtkPointData;
 class vtkPolyData;
@@ -38,13 +38,23 @@ public:
 
   struct Inputs
   {
-    vtkDataSet* data;
-    vtkSelection* selection; ///< may be null
-    vtkDataSet* reference;   ///< may be null
+    vtkDataObject* data;
+    vtkSelection* selection;  ///< may be null
+    vtkDataObject* reference; ///< may be null
   };
 
-  /// How the values of several blocks become one: the mean over all triangles, the least value, the
-  /// one of largest magnitude, or the sum.
+  /// What is optimized as one surface.
+  struct Job
+  {
+    lmo::SurfacePieces pieces;
+    std::vector<unsigned int> path;        ///< as of lmo::SurfaceBlock
+    bool isPartitioned = false;            ///< pieces are joined even if it is one alone
+    std::optional<lmo::Vector> isSelected; ///< of the points of all pieces; if there is a selection
+    lmo::SurfacePieces reference;          ///< none if there is no reference
+  };
+
+  /// How the values of several surfaces become one: the mean over all triangles, the least value,
+  /// the one of largest magnitude, or the sum.
   enum Combination
   {
     MEAN,
@@ -53,20 +63,17 @@ public:
     SUM
   };
 
+  /// \param output as lmo::NewOutputFor() makes it for the input
   /// \param pieces in which the whole surface comes
-  void Execute(const Inputs& inputs, vtkPolyData* output, int pieces);
+  void Execute(const Inputs& inputs, vtkDataObject* output, int pieces);
 
-  /// After an error: makes the input the output, if it has given a result before. A view then does
-  /// not become empty while someone tries settings. For a new input the output stays empty, so that
-  /// no script takes the input for the result.
-  void ReturnInput(const Inputs& inputs, vtkPolyData* output);
+  /// After an error: makes an input of one surface the output, if it has given a result before. A
+  /// view then does not become empty while someone tries settings. For a new input the output stays
+  /// empty, so that no script takes the input for the result.
+  void ReturnInput(const Inputs& inputs, vtkDataObject* output);
 
   /// Sets the metrics that the filter's Get methods return.
   static void SetMetrics(vtkLaplacianMeshOptimizer* filter, const lmo::OptimizerResult& result);
-
-  /// Says what the next executions are for: a data set, or a composite data set whose blocks are
-  /// executed one by one; null at the end.
-  void Begin(vtkDataObject* data);
 
 protected:
   /// \throw InputError if the surface is to come in several pieces that cannot be solved together.
@@ -78,18 +85,28 @@ protected:
 
   virtual std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const;
 
+  /// The surfaces of a data set or a composite data set.
+  virtual std::vector<lmo::SurfaceBlock> FindBlocks(vtkDataObject* data) const;
+
+  /// \return the pieces as they are optimized
+  virtual lmo::SurfacePieces Optimize(const Job& job);
+
+  /// Optimize() with the pieces of this process as the input of one optimizer.
+  lmo::SurfacePieces OptimizeJoined(const Job& job, lmo::Joining joining);
+
   /// True if points take the point data of their new places on the input.
   virtual bool InterpolatesPointData() const;
 
   /// Makes the optimizer of the input, unless it is the one that is there.
   /// \throw InputError as lmo::ReadMesh() does.
-  virtual void SetInput(vtkPolyData* input);
+  /// \param firstPoints as of lmo::JoinedPieces
+  virtual void SetInput(vtkPolyData* input, const std::vector<lmo::Index>& firstPoints);
 
   /// lmo::ReadMesh(), which this module does not export.
   static lmo::SurfaceMesh Read(vtkPolyData* input);
 
-  /// Read(), with points welded as the filter says.
-  lmo::SurfaceMesh ReadWelded(vtkPolyData* data) const;
+  /// Read(), with the points of several pieces joined, and others welded as the filter says.
+  lmo::SurfaceMesh ReadWelded(vtkPolyData* data, const std::vector<lmo::Index>& firstPoints) const;
 
   /// True if a surface is the object of which the optimizer was made, with the same coordinates.
   /// ParaView touches it before each execution, so that it seems new.
@@ -100,6 +117,9 @@ protected:
 
   void SetOptimizer(
     vtkPolyData* input, lmo::MeshNumbering numbering, std::unique_ptr<lmo::Optimizer> optimizer);
+
+  /// \throw InputError if a property is out of range.
+  lmo::OptimizerOptions ReadOptions(vtkPolyData* input) const;
 
   vtkLaplacianMeshOptimizer* const Filter;
   std::unique_ptr<lmo::Optimizer> Optimizer;
@@ -112,9 +132,6 @@ private:
     std::shared_ptr<const lmo::EarlierStep> start;
   };
 
-  /// \throw InputError if a property is out of range.
-  lmo::OptimizerOptions ReadOptions(vtkPolyData* input) const;
-
   /// The point array of an index; null if none is chosen.
   /// \throw InputError if the chosen one does not exist.
   vtkDataArray* FindArray(int index, vtkPolyData* input) const;
@@ -122,29 +139,43 @@ private:
   /// \param isSelected 1 for points that are selected, else 0; no value without a selection
   lmo::VertexArrays ReadArrays(vtkPolyData* input, std::optional<lmo::Vector> isSelected) const;
 
-  /// The points of the input's surface that are selected; no value without a selection.
-  std::optional<lmo::Vector> SelectedPointsOf(const Inputs& inputs, vtkPolyData* surface) const;
+  /// The points of the surface of a data set that are selected.
+  lmo::Vector SelectedPointsOf(
+    const lmo::SurfacePart& part, vtkSelection* selection, vtkPolyData* surface) const;
 
-  /// The flat index of the block of a composite data set that is executed; no value without blocks.
-  std::optional<unsigned int> CompositeIndexOf(vtkDataSet* block) const;
+  /// \param surfaces of the parts of the block
+  Job MakeJob(const lmo::SurfaceBlock& block, const lmo::SurfacePieces& surfaces,
+    vtkSelection* selection) const;
 
-  /// Sets the filter's metrics to those of the blocks so far.
+  /// A surface that may have been joined from pieces.
+  struct Whole
+  {
+    vtkPolyData* data = nullptr;
+    std::vector<lmo::Index> firstPoints; ///< as of lmo::JoinedPieces
+  };
+
+  /// \param job of which the surface and the reference are
+  /// \param reference its data may be null
+  void OptimizeWhole(
+    const Whole& whole, const Job& job, const Whole& reference, vtkPolyData* output);
+
+  /// Sets the filter's metrics to those of the surfaces so far.
   void AddMetrics(const lmo::OptimizerResult& result);
 
   /// The surface to stay near, if the mode needs one.
-  /// \param reference may be null
+  /// \param reference its data may be null
   /// \return null if there is none
   /// \throw InputError if it has no triangles, and as lmo::ReadMesh() does.
-  std::shared_ptr<const lmo::MeshQuantities> ReadReference(vtkPolyData* reference);
+  std::shared_ptr<const lmo::MeshQuantities> ReadReference(const Whole& reference);
 
-  /// The steps of the input, if the filter is to start from the previous one; else null.
-  TimeSteps* StepsOf(const Inputs& inputs);
+  /// The steps of a surface, if the filter is to start from the previous one; else null.
+  TimeSteps* StepsOf(const Job& job);
 
   /// The step that the filter starts from; null if there is none.
-  std::shared_ptr<const lmo::EarlierStep> FindEarlierStep(const Inputs& inputs);
+  std::shared_ptr<const lmo::EarlierStep> FindEarlierStep(const Job& job);
 
   /// Keeps a result for the next step.
-  void KeepStep(const Inputs& inputs, const lmo::OptimizerResult& result);
+  void KeepStep(const Job& job, const lmo::OptimizerResult& result);
 
   /// Adds the point data and field data that the reference has and the output has not.
   /// \param reference may be null
@@ -184,17 +215,18 @@ private:
 
   Origin OriginOf(vtkPolyData* data) const;
 
-  lmo::CachedSurface Surface;
-  lmo::CachedSurface SurfaceOfReference;
+  std::vector<lmo::CachedSurface> Surfaces; ///< of all parts of the input
+  std::vector<lmo::CachedSurface> SurfacesOfReference;
+  lmo::CachedJoin Joined;
+  lmo::CachedJoin JoinedReference;
   lmo::MeshNumbering Numbering;
   Origin InputOrigin;
-  bool HasResult = false;                  ///< one has been made of the optimizer's mesh
-  std::map<unsigned int, TimeSteps> Steps; ///< of each block by its flat index; 0 without blocks
+  bool HasResult = false; ///< one has been made of the optimizer's mesh
+  std::map<std::vector<unsigned int>, TimeSteps> Steps; ///< of each surface by its path
   std::shared_ptr<const lmo::MeshQuantities> Reference;
   lmo::MeshNumbering ReferenceNumbering;
   Origin ReferenceOrigin;
-  vtkSmartPointer<vtkCompositeDataSet> Blocks; ///< null if there are none
-  std::vector<double> Totals;                  ///< of each metric; empty before the first block
+  std::vector<double> Totals; ///< of each metric; empty before the first surface
   double TotalTriangles = 0;
 };
 

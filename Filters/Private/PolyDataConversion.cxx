@@ -159,27 +159,39 @@ SurfaceMesh ReadMesh(vtkPolyData* input)
   return mesh;
 }
 
-void WeldCoincidentPoints(SurfaceMesh& mesh)
+void MergeVertices(SurfaceMesh& mesh, const std::vector<Index>& lowest)
 {
-  const std::vector<Index> firstPoints = FindCoincidentBoundaryPoints(mesh.points, mesh.triangles);
-  if (firstPoints.empty())
+  if (lowest.empty())
   {
     return;
   }
-  mesh.numbering.Merge(firstPoints);
-  mesh.points = mesh.numbering.ToVertices(std::move(mesh.points));
+  std::vector<Index> kept;
+  for (Index i = 0; i < static_cast<Index>(lowest.size()); ++i)
+  {
+    if (lowest[i] == i)
+    {
+      kept.push_back(i);
+    }
+  }
+  const std::vector<Index> numbers = mesh.numbering.Merge(lowest);
+  mesh.points = ToNewOrder(kept, std::move(mesh.points));
   ParallelFor(static_cast<Index>(mesh.triangles.rows()),
     [&](Index t)
     {
       for (int k = 0; k < 3; ++k)
       {
-        mesh.triangles(t, k) = mesh.numbering.VertexOf(mesh.triangles(t, k));
+        mesh.triangles(t, k) = numbers[mesh.triangles(t, k)];
       }
     });
   for (Index& corner : mesh.polygons.corners.ids)
   {
-    corner = mesh.numbering.VertexOf(corner);
+    corner = numbers[corner];
   }
+}
+
+void WeldCoincidentPoints(SurfaceMesh& mesh)
+{
+  MergeVertices(mesh, FindCoincidentBoundaryPoints(mesh.points, mesh.triangles));
 }
 
 void RenumberIfScattered(SurfaceMesh& mesh)

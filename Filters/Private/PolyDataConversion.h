@@ -23,6 +23,10 @@ struct SurfaceMesh
 /// and point ids out of range.
 SurfaceMesh ReadMesh(vtkPolyData* input);
 
+/// Makes vertices one.
+/// \param lowest for each vertex the lowest one that is the same; empty if no two are
+void MergeVertices(SurfaceMesh& mesh, const std::vector<Index>& lowest);
+
 /// Makes points on the boundary that have the same coordinates one vertex.
 void WeldCoincidentPoints(SurfaceMesh& mesh);
 

@@ -9,6 +9,10 @@
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <array>
 
 namespace lmo
 {
@@ -23,9 +27,17 @@ vtkInformationObjectBaseKey* ResultKey()
   return key;
 }
 
-bool IsResult(vtkAbstractArray* array)
+void Mark(vtkAbstractArray* array)
 {
-  return array->HasInformation() && array->GetInformation()->Has(ResultKey());
+  array->GetInformation()->Set(ResultKey(), vtkNew<vtkObject>());
+}
+
+/// The field data of a surface's own list of results.
+constexpr const char* ListName = "vtkLaplacianMeshOptimizerResults";
+
+std::array<vtkFieldData*, 3> AllData(vtkPolyData* surface)
+{
+  return { surface->GetPointData(), surface->GetCellData(), surface->GetFieldData() };
 }
 
 const char* KindOf(vtkFieldData* data)
@@ -34,6 +46,11 @@ const char* KindOf(vtkFieldData* data)
          : vtkCellData::SafeDownCast(data) ? "cell array"
                                            : "field array";
 }
+}
+
+bool ResultArrays::IsResult(vtkAbstractArray* array)
+{
+  return array->HasInformation() && array->GetInformation()->Has(ResultKey());
 }
 
 void ResultArrays::Add(vtkFieldData* data, vtkAbstractArray* result)
@@ -51,7 +68,7 @@ void ResultArrays::Add(vtkFieldData* data, vtkAbstractArray* result)
     this->Renamed += (this->NumberOfRenamed++ ? ", " : " ") + std::string(KindOf(data)) + " '" +
                      name + "' (result '" + newName + "')";
   }
-  result->GetInformation()->Set(ResultKey(), vtkNew<vtkObject>());
+  Mark(result);
   data->AddArray(result);
 }
 
@@ -64,16 +81,95 @@ void ResultArrays::Remove(vtkFieldData* data, const char* name)
   }
 }
 
-void ResultArrays::AddMissing(vtkFieldData* more, vtkFieldData* data)
+void ResultArrays::AddMissing(vtkFieldData* more, vtkFieldData* data, bool withResults)
 {
   for (int k = 0; k < more->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* array = more->GetAbstractArray(k);
-    if (array->GetName() && !data->HasArray(array->GetName()) && !IsResult(array))
+    if (array->GetName() && !data->HasArray(array->GetName()) && (withResults || !IsResult(array)))
     {
       data->AddArray(array);
     }
   }
+}
+
+void ResultArrays::HandOn(vtkFieldData* optimized, vtkFieldData* data)
+{
+  for (int k = 0; k < optimized->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = optimized->GetAbstractArray(k);
+    if (IsResult(array))
+    {
+      this->Add(data, array);
+    }
+    else if (array->GetName())
+    {
+      data->AddArray(array);
+    }
+  }
+}
+
+void ResultArrays::Renew(vtkFieldData* before, vtkFieldData* optimized, vtkFieldData* data)
+{
+  for (int k = 0; k < before->GetNumberOfArrays(); ++k)
+  {
+    const char* name = before->GetArrayName(k);
+    if (name && !optimized->HasArray(name))
+    {
+      Remove(data, name);
+    }
+  }
+  for (int k = 0; k < optimized->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = optimized->GetAbstractArray(k);
+    const char* name = array->GetName();
+    if (IsResult(array))
+    {
+      const auto copy = vtk::TakeSmartPointer(array->NewInstance()); // each piece may rename it
+      copy->DeepCopy(array);
+      this->Add(data, copy);
+    }
+    else if (name && !before->HasArray(name) && !data->HasArray(name))
+    {
+      data->AddArray(array);
+    }
+  }
+}
+
+void ResultArrays::ListResults(vtkPolyData* surface)
+{
+  vtkNew<vtkStringArray> list;
+  list->SetName(ListName);
+  for (vtkFieldData* data : AllData(surface))
+  {
+    for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+    {
+      if (IsResult(data->GetAbstractArray(k)))
+      {
+        list->InsertNextValue(data->GetArrayName(k));
+      }
+    }
+    list->InsertNextValue(""); // ends the list of the point, cell or field data
+  }
+  surface->GetFieldData()->AddArray(list);
+}
+
+void ResultArrays::MarkListed(vtkPolyData* surface)
+{
+  auto* list = vtkStringArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray(ListName));
+  vtkIdType next = 0;
+  for (vtkFieldData* data : AllData(surface))
+  {
+    for (; list && next < list->GetNumberOfValues() && !list->GetValue(next).empty(); ++next)
+    {
+      if (vtkAbstractArray* array = data->GetAbstractArray(list->GetValue(next).c_str()))
+      {
+        Mark(array);
+      }
+    }
+    ++next;
+  }
+  surface->GetFieldData()->RemoveArray(ListName);
 }
 
 void ResultArrays::Warn(vtkAlgorithm* filter) const

@@ -16,6 +16,7 @@ import numpy as np
 from paraview import servermanager
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkFeatureEdges
 
 PLUGIN = os.environ["LMO_PLUGIN"]
@@ -154,6 +155,78 @@ class Isosurface(unittest.TestCase):
         after = servermanager.Fetch(self.optimizer)
         self.assertAlmostEqual(metric(after, "MeanRadiusRatio"), quality.mean(), 6)
         self.assertAlmostEqual(metric(after, "MinimumRadiusRatio"), quality.min(), 6)
+
+
+class DefaultEntry(unittest.TestCase):
+    """The first entry of the menu, without any setting."""
+
+    def setUp(self):
+        self.surface = isosurface()
+        self.optimizer = ImproveTriangleQuality(Input=self.surface)
+
+    def test_the_triangles_become_better_within_the_error(self):
+        output = servermanager.Fetch(self.optimizer)
+        self.assertGreater(
+            metric(output, "MeanRadiusRatio"), metric(output, "InputMeanRadiusRatio") + 0.03
+        )
+        self.assertGreater(
+            metric(output, "MinimumRadiusRatio"), metric(output, "InputMinimumRadiusRatio")
+        )
+        self.assertLessEqual(metric(output, "RelativeHausdorffBound"), 0.002)
+
+    def test_the_surface_is_within_the_error(self):
+        from laplacianmesh import vtkSurfaceDeviation
+
+        deviation = vtkSurfaceDeviation()
+        deviation.SetInputData(merged(self.optimizer))
+        deviation.SetReferenceData(merged(self.surface))
+        deviation.Update()
+        self.assertLess(deviation.GetRelativeHausdorffDistance(), 0.002)
+
+    def test_the_borders_stay_closed(self):
+        before, after = merged(self.surface), merged(self.optimizer)
+        self.assertEqual(boundary_edges(after), 0)
+        self.assertEqual(after.GetNumberOfPoints(), before.GetNumberOfPoints())
+
+    def test_every_process_has_the_arrays(self):
+        ratios = fetched(self.optimizer).GetCellData().GetArray("RadiusRatio")
+        self.assertEqual(
+            ratios.GetNumberOfTuples(), fetched(self.surface).GetNumberOfCells()
+        )
+
+    def test_a_second_filter_renews_the_results(self):
+        second = ImproveTriangleQuality(Input=self.optimizer)
+        output = servermanager.Fetch(second)
+        self.assertIsNone(output.GetFieldData().GetArray("MeanRadiusRatioOptimized"))
+        self.assertIsNone(output.GetPointData().GetArray("RadiusRatioOptimized"))
+
+    def test_partitions_are_one_surface(self):
+        partitions = ConvertToPartitionedDataSetCollection(Input=self.surface)
+        optimized = ImproveTriangleQuality(Input=partitions)
+        optimized.UpdatePipeline()
+        self.assertEqual(
+            optimized.GetDataInformation().GetCompositeDataSetType(),
+            vtkPartitionedDataSetCollection().GetDataObjectType(),
+        )
+        pieces = MergeBlocks(
+            Input=optimized, OutputDataSetType="Polygonal Mesh", MergePoints=False
+        )
+        self.assertEqual(boundary_edges(merged(pieces)), 0)
+        ratios = vtk_to_numpy(fetched(pieces).GetCellData().GetArray("RadiusRatio"))
+        whole = metric(servermanager.Fetch(self.optimizer), "MeanRadiusRatio")
+        self.assertAlmostEqual(ratios.mean(), whole, 6)
+
+    def test_the_picture_shows_the_surface_as_one(self):
+        picture = os.environ.get("LMO_PICTURE")
+        if picture:
+            view = CreateView("RenderView")
+            view.ViewSize = [900, 700]
+            shown = Show(self.optimizer, view)
+            shown.Representation = "Surface With Edges"
+            ColorBy(shown, ("CELLS", "RadiusRatio"))
+            ResetCamera(view)
+            SaveScreenshot(picture, view)
+            self.assertGreater(os.path.getsize(picture), 20000)
 
 
 def main():

@@ -205,17 +205,30 @@ void AddGhostCells(PieceOfMesh& piece, vtkPolyData* whole)
   piece.surface->GetCellData()->AddArray(ghosts);
 }
 
-vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& setUp)
+namespace
+{
+vtkSmartPointer<vtkDataObject> RunAlone(vtkDataObject* input, bool interpolates, const SetUp& setUp)
 {
   vtkNew<vtkDummyController> alone;
   vtkNew<vtkPLaplacianMeshOptimizer> filter;
   filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
-  filter->InterpolatePointDataOff();
+  filter->SetInterpolatePointData(interpolates);
   filter->SetController(alone);
-  filter->SetInputData(whole);
+  filter->SetInputDataObject(input);
   setUp(filter);
   filter->Update();
-  return filter->GetOutput();
+  return filter->GetOutputDataObject(0);
+}
+}
+
+vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& setUp)
+{
+  return vtkPolyData::SafeDownCast(RunAlone(whole, false, setUp));
+}
+
+vtkSmartPointer<vtkDataObject> OptimizedAlone(vtkPartitionedDataSet* pieces, const SetUp& setUp)
+{
+  return RunAlone(pieces, true, setUp);
 }
 
 namespace

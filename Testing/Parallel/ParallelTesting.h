@@ -7,6 +7,7 @@
 
 #include "vtkMPIController.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
 
 #include <functional>
 
@@ -64,6 +65,7 @@ using SetUp = std::function<void(vtkLaplacianMeshOptimizer*)>;
 
 /// Output in this process alone.
 vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& setUp);
+vtkSmartPointer<vtkDataObject> OptimizedAlone(vtkPartitionedDataSet* pieces, const SetUp& setUp);
 
 /// The largest differences between a piece and the whole surface: of coordinates and displacements
 /// relative to the diagonal, of curvatures relative to the largest, of metrics relative to 1 or
