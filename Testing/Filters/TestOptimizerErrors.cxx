@@ -8,7 +8,6 @@
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkExecutive.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkLogger.h"
 #include "vtkNew.h"
@@ -274,10 +273,8 @@ void CheckPieces(Checks& c)
   filter->SetInputData(MakePolyData(Icosphere(1)));
   vtkNew<vtkTest::ErrorObserver> observer;
   filter->AddObserver(vtkCommand::ErrorEvent, observer);
-  filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, vtkNew<vtkTest::ErrorObserver>());
   filter->UpdatePiece(0, 2, 0);
-  const std::string error = observer->GetErrorMessage();
-  c.Says("pieces are an error that names what is missing", error, "PETSc");
+  c.Says("pieces are an error that names what is missing", observer->GetErrorMessage(), "PETSc");
   c.True("there is no result for a piece", IsEmpty(filter->GetOutput()));
 }
 
@@ -288,8 +285,7 @@ void CheckAfterwards(Checks& c)
   filter->Update();
   filter->SetTolerance(-1);
   c.Says("settings are an error after a result, too", Update(filter).errors, "Tolerance");
-  c.Equal("after a result, an error gives the input back", filter->GetOutput()->GetNumberOfPoints(),
-    vtkIdType(42));
+  c.Equal("an error then gives the input", filter->GetOutput()->GetNumberOfPoints(), 42);
   c.True("the input has no results", !filter->GetOutput()->GetCellData()->HasArray("RadiusRatio"));
   filter->SetInputData(MakePolyData(Icosphere(2)));
   Update(filter);
@@ -298,7 +294,7 @@ void CheckAfterwards(Checks& c)
 
 void CheckNumberOfErrors(Checks& c)
 {
-  const auto window = vtkSmartPointer<vtkOutputWindow>(vtkOutputWindow::GetInstance());
+  const vtkSmartPointer<vtkOutputWindow> window = vtkOutputWindow::GetInstance();
   vtkNew<vtkStringOutputWindow> heard;
   vtkOutputWindow::SetInstance(heard);
   const auto verbosity = vtkLogger::GetCurrentVerbosityCutoff();
