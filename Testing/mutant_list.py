@@ -286,7 +286,7 @@ MUTANTS = [
         ("the worst triangles are raised", "Deviation/WorstTriangles.cxx",
          "return isEnough &&", "return false &&", "TestDeviation-WorstTriangles"),
         ("a few stubborn triangles end the effort", "Deviation/WorstTriangles.cxx",
-         "EnoughEffort = 30000", "EnoughEffort = 3000000", "TestDeviation-Effort"),
+         "EnoughEffort = 60000", "EnoughEffort = 6000000", "TestDeviation-Effort"),
         ("single points keep to the free axes", "Deviation/WorstTriangles.cxx",
          "direction.cwiseProduct(this->Constraints.freeAxes)", "direction",
          "TestDeviation-Lifting"),
