@@ -567,12 +567,12 @@ public:
 
   ///@{
   /**
-   * For OPTIMIZE_WITHIN_DEVIATION of a surface that deforms over time, with the same polygons: start
-   * from the previous execution's result, moved as the surface has moved since, so that points move
-   * as smoothly as those of the input. That is the result as long as it keeps half of what the last
-   * passes gained in mean radius ratio; otherwise new passes follow, and points jump. The distance
-   * is guaranteed as ever. The result depends on the steps before, which must be executed in order.
-   * Default: off.
+   * For OPTIMIZE_WITHIN_DEVIATION of a surface that deforms over time, with the same polygons:
+   * start from the previous execution's result, moved as the surface has moved since, so that
+   * points move as smoothly as those of the input. That is the result as long as it keeps half of
+   * what the last passes gained in mean radius ratio; otherwise new passes follow, and points jump.
+   * The distance is guaranteed as ever. The result depends on the steps before, which must be
+   * executed in order. Default: off.
    */
   vtkSetMacro(StartFromPreviousTimeStep, vtkTypeBool);
   vtkGetMacro(StartFromPreviousTimeStep, vtkTypeBool);

@@ -20,8 +20,8 @@ constexpr int MostSweeps = 10;     ///< for one goal
 constexpr int Directions = 12;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr double MostLossForGain = 25;        ///< of the sum of t, for a gain of the least t
-constexpr double RelativeEffort = 1.5;        ///< of proofs, in terms of those until then
-constexpr double EnoughEffort = 30000;        ///< where those were few
+constexpr double RelativeEffort = 2.25;       ///< of proofs, in terms of those until then
+constexpr double EnoughEffort = 60000;        ///< where those were few
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 constexpr std::size_t MostPlaces = 50;        ///< that it is asked for where it refuses the best
 
