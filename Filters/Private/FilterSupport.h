@@ -122,6 +122,24 @@ void RunOnThreads(const Body& body)
     });
 }
 
+/// The share of one of several surfaces in the progress of a filter.
+class ProgressShare
+{
+public:
+  ProgressShare(vtkAlgorithm* filter, std::size_t surface, std::size_t surfaces)
+    : Filter(filter)
+  {
+    const double share = 1.0 / static_cast<double>(surfaces);
+    filter->SetProgressShiftScale(share * static_cast<double>(surface), share);
+  }
+  ~ProgressShare() { this->Filter->SetProgressShiftScale(0, 1); }
+  ProgressShare(const ProgressShare&) = delete;
+  void operator=(const ProgressShare&) = delete;
+
+private:
+  vtkAlgorithm* const Filter;
+};
+
 /// The next error of a filter's executive: dropped if it only says that the filter failed, which
 /// the filter has said already, with the reason.
 class FailureObserver : public vtkCommand

@@ -4,16 +4,13 @@
 #include "OptimizerTables.h"
 #include "PolyDataOutput.h"
 #include "ResultArrays.h"
+#include "SurfaceBlocks.h"
 
 #include "vtkBoundingBox.h"
-#include "vtkCompositeDataIterator.h"
-#include "vtkCompositeDataSet.h"
-#include "vtkDataObject.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
-#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,16 +22,15 @@ VTK_ABI_NAMESPACE_BEGIN
 
 namespace
 {
-/// Of the bounding box of the points that cells use; -1 if there are none.
-double DiagonalOf(vtkDataObject* data)
+/// Adds the bounding box of the points that cells use.
+void AddBounds(vtkDataSet* surface, vtkBoundingBox& box)
 {
-  auto* surface = vtkDataSet::SafeDownCast(data);
-  if (!surface || surface->GetNumberOfCells() == 0)
+  if (surface->GetNumberOfCells() == 0)
   {
-    return -1;
+    return;
   }
   double bounds[6];
-  if (auto* polygons = vtkPolyData::SafeDownCast(data))
+  if (auto* polygons = vtkPolyData::SafeDownCast(surface))
   {
     polygons->GetCellsBounds(bounds);
   }
@@ -42,7 +38,7 @@ double DiagonalOf(vtkDataObject* data)
   {
     surface->GetBounds(bounds);
   }
-  return vtkBoundingBox(bounds).GetDiagonalLength();
+  box.AddBounds(bounds);
 }
 }
 
@@ -93,19 +89,15 @@ void vtkLaplacianMeshOptimizer::Session::AddMetrics(const lmo::OptimizerResult& 
 
 double vtkLaplacianMeshOptimizer::GetDeviationLength()
 {
-  vtkDataObject* input = this->GetInputDataObject(0, 0);
-  double diagonal = -1;
-  if (auto* blocks = vtkCompositeDataSet::SafeDownCast(input))
+  double diagonal = -1; // the largest one of all surfaces
+  for (const lmo::SurfaceBlock& block : lmo::FindBlocks(this->GetInputDataObject(0, 0)))
   {
-    const auto leaf = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    vtkBoundingBox box;
+    for (const lmo::SurfacePart& part : block.parts)
     {
-      diagonal = std::max(diagonal, DiagonalOf(leaf->GetCurrentDataObject()));
+      AddBounds(part.data, box);
     }
-  }
-  else
-  {
-    diagonal = DiagonalOf(input);
+    diagonal = std::max(diagonal, box.IsValid() ? box.GetDiagonalLength() : -1);
   }
   const double unit = this->DeviationIsAbsolute ? 1 : diagonal;
   return diagonal < 0 ? -1 : this->MaximumDeviation * unit;

@@ -26,24 +26,6 @@ vtkLaplacianMeshOptimizer::Session::~Session() = default;
 
 namespace
 {
-/// The share of one of several surfaces in the progress of a filter.
-class ProgressShare
-{
-public:
-  ProgressShare(vtkAlgorithm* filter, std::size_t surface, std::size_t surfaces)
-    : Filter(filter)
-  {
-    const double share = 1.0 / static_cast<double>(surfaces);
-    filter->SetProgressShiftScale(share * static_cast<double>(surface), share);
-  }
-  ~ProgressShare() { this->Filter->SetProgressShiftScale(0, 1); }
-  ProgressShare(const ProgressShare&) = delete;
-  void operator=(const ProgressShare&) = delete;
-
-private:
-  vtkAlgorithm* const Filter;
-};
-
 /// The surfaces of all parts of a data object, one after the other.
 lmo::SurfacePieces SurfacesOf(
   const std::vector<lmo::SurfaceBlock>& blocks, std::vector<lmo::CachedSurface>& cache)
@@ -103,7 +85,7 @@ void vtkLaplacianMeshOptimizer::Session::Execute(
   lmo::SurfacePieces optimized;
   for (const lmo::SurfaceBlock& block : blocks)
   {
-    const ProgressShare share(this->Filter, &block - blocks.data(), blocks.size());
+    const lmo::ProgressShare share(this->Filter, &block - blocks.data(), blocks.size());
     const auto first = surfaces.begin() + static_cast<std::ptrdiff_t>(optimized.size());
     const lmo::SurfacePieces ofBlock(
       first, first + static_cast<std::ptrdiff_t>(block.parts.size()));
