@@ -35,6 +35,7 @@ struct BoxedTriangles
 std::vector<Index> GroupsOf(const std::vector<Index>& list, const TriangleBvh& tree)
 {
   std::vector<Index> groups;
+  groups.reserve(list.size());
   for (const Index t : list)
   {
     groups.push_back(tree.GroupOf(t));
