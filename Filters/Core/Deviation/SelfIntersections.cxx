@@ -19,6 +19,7 @@ Eigen::AlignedBox3d BoxOf(const Points& V, const Triangles& T, Index t)
   return { corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose() };
 }
 
+/// Triangles with their bounding boxes, and that of all.
 struct BoxedTriangles
 {
   std::vector<std::pair<Index, Eigen::AlignedBox3d>> list;

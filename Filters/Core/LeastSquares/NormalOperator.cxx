@@ -76,6 +76,7 @@ Dots MultiplyCoupled(const PackedPoints<Scalar>& projections, const Vector3& fre
       const Scalar kept = axis[3];
       const Scalar along = (axis * whole).sum(); // the fourth of whole is 0
       PackedRow<Scalar> row = kept * whole + (1 - 2 * kept) * along * axis;
+      row[3] = 0;
       product.col(i) = row;
       sum.Add(PackedRow<Scalar>(row * xi));
     }).Get();
@@ -96,13 +97,9 @@ PackedPoints<Scalar> PackProjections(const LeastSquaresProblem& problem)
       const auto freedom = constraints.freedom[i];
       const bool hasAxis = freedom == DisplacementConstraints::IN_PLANE ||
                            freedom == DisplacementConstraints::ALONG_LINE;
-      Vector3 axis = Vector3::Zero();
-      if (hasAxis)
-      {
-        axis = constraints.axes.row(i);
-      }
-      projections.col(i) << Scalar(axis[0]), Scalar(axis[1]), Scalar(axis[2]),
-        Scalar(freedom >= DisplacementConstraints::IN_PLANE);
+      projections.col(i) =
+        Pack<Scalar>(hasAxis ? Vector3(constraints.axes.row(i)) : Vector3(Vector3::Zero()));
+      projections(3, i) = Scalar(freedom >= DisplacementConstraints::IN_PLANE);
     });
   return projections;
 }

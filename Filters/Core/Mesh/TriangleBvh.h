@@ -83,8 +83,6 @@ public:
     return leaf < 0 ? -1 : leaf / LeavesPerGroup;
   }
 
-  Index CountGroups() const { return (this->Leaves + LeavesPerGroup - 1) / LeavesPerGroup; }
-
   /// Calls visit(triangle) for the triangles of a group.
   template <typename Visit>
   void ForEachOfGroup(Index group, const Visit& visit) const
