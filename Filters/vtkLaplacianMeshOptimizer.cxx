@@ -158,16 +158,17 @@ void vtkLaplacianMeshOptimizer::Session::WritePointData(
   {
     lmo::CheckNormals(normals, input->GetNumberOfPoints(), "point");
   }
-  const auto positions = [&] { return this->Numbering.ToPoints(result.positions); };
   if (this->InterpolatesPointData() && input->GetPoints())
   {
-    pointData->ShallowCopy(lmo::InterpolatePointData(input, this->Numbering, positions()));
+    pointData->ShallowCopy(lmo::InterpolatePointData(
+      input, this->Optimizer->GetMesh(), this->Numbering, result.positions));
   }
   else if (result.normals.rows() > 0)
   {
     pointData->SetNormals(lmo::ReplaceNormals(
       normals, this->Numbering.HasMergedPoints()
-                 ? lmo::NormalsOfMergedPoints(input, positions(), this->Numbering)
+                 ? lmo::NormalsOfMergedPoints(
+                     input, this->Numbering.ToPoints(result.positions), this->Numbering)
                  : this->Numbering.ToPoints(result.normals)));
   }
 }

@@ -17,6 +17,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
 VTK_ABI_NAMESPACE_BEGIN
@@ -95,6 +96,19 @@ int vtkSurfaceDeviation::RequestData(
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   return lmo::RunFilter(this, surface, output,
     [&] { this->Compare(lmo::SurfaceOf(surface), lmo::SurfaceOf(reference), output); });
+}
+
+int vtkSurfaceDeviation::UpdateMetrics()
+{
+  const int pieces =
+    this->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const bool hasExecuted = this->HausdorffDistance >= 0;
+  if (!hasExecuted || pieces > 1)
+  {
+    return 0;
+  }
+  this->Update();
+  return 1;
 }
 
 void vtkSurfaceDeviation::PrintSelf(ostream& os, vtkIndent indent)

@@ -63,7 +63,7 @@ public:
   /**
    * Largest distance found in either direction: a lower bound of the two-sided Hausdorff distance.
    * In the mesh's unit, and divided by the bounding-box diagonal of the reference. Valid after
-   * Update(), as the means.
+   * Update(), as the means; all are -1 before.
    */
   vtkGetMacro(HausdorffDistance, double);
   vtkGetMacro(RelativeHausdorffDistance, double);
@@ -77,6 +77,15 @@ public:
   vtkGetMacro(RelativeMeanDistance, double);
   ///@}
 
+  /**
+   * Executes the filter if it has executed before and its output is out of date. ParaView reads the
+   * distances before it executes the filter: it calls this first, so that they are those of the
+   * properties that were applied.
+   * \return 1 if the distances are up to date; 0 before the first execution and over several
+   * processes
+   */
+  int UpdateMetrics();
+
 protected:
   vtkSurfaceDeviation();
   ~vtkSurfaceDeviation() override = default;
@@ -85,10 +94,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int NumberOfSamples = 100000;
-  double HausdorffDistance = 0;
-  double RelativeHausdorffDistance = 0;
-  double MeanDistance = 0;
-  double RelativeMeanDistance = 0;
+  double HausdorffDistance = -1;
+  double RelativeHausdorffDistance = -1;
+  double MeanDistance = -1;
+  double RelativeMeanDistance = -1;
 
 private:
   vtkSurfaceDeviation(const vtkSurfaceDeviation&) = delete;

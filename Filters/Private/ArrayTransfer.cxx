@@ -15,21 +15,22 @@ namespace lmo
 namespace
 {
 /// The corner with the largest weight, the point itself where there is no triangle.
-vtkSmartPointer<vtkIdList> NearestPoints(
-  const Triangles& triangles, const std::vector<SurfaceLocation>& locations)
+vtkSmartPointer<vtkIdList> NearestPoints(const Triangles& triangles, const MeshNumbering& numbering,
+  const std::vector<SurfaceLocation>& locations)
 {
   auto nearest = vtkSmartPointer<vtkIdList>::New();
   nearest->SetNumberOfIds(static_cast<vtkIdType>(locations.size()));
   for (std::size_t i = 0; i < locations.size(); ++i)
   {
-    Index corner = 0;
+    const auto here = static_cast<Index>(i);
+    Index vertex = here;
     if (locations[i].triangle >= 0)
     {
+      Index corner = 0;
       locations[i].weights.maxCoeff(&corner);
+      vertex = triangles(locations[i].triangle, corner);
     }
-    const auto point = static_cast<vtkIdType>(i);
-    nearest->SetId(
-      point, locations[i].triangle >= 0 ? triangles(locations[i].triangle, corner) : point);
+    nearest->SetId(numbering.FirstPointOf(here), numbering.FirstPointOf(vertex));
   }
   return nearest;
 }
@@ -61,8 +62,8 @@ void VisitComponents(vtkDataArray* array, const Body& body)
   }
 }
 
-/// The components of the arrays as columns.
-Fields FieldsOf(const std::vector<vtkDataArray*>& arrays)
+/// The components of the arrays as columns, a row for each vertex.
+Fields FieldsOf(const std::vector<vtkDataArray*>& arrays, const MeshNumbering& numbering)
 {
   int columns = 0;
   for (vtkDataArray* array : arrays)
@@ -76,8 +77,8 @@ Fields FieldsOf(const std::vector<vtkDataArray*>& arrays)
     VisitComponents(array,
       [&](const auto& values, int c, auto)
       {
-        ParallelFor(static_cast<Index>(fields.rows()),
-          [&](Index i) { fields(i, column) = static_cast<double>(values[i][c]); });
+        ParallelFor(static_cast<Index>(fields.rows()), [&](Index i)
+          { fields(i, column) = static_cast<double>(values[numbering.FirstPointOf(i)][c]); });
         ++column;
       });
   }
@@ -86,8 +87,9 @@ Fields FieldsOf(const std::vector<vtkDataArray*>& arrays)
 
 /// Sets the values of points that moved.
 /// \param isRounded to whole numbers
-void SetValues(const Fields& fields, const std::vector<SurfaceLocation>& locations,
-  const std::vector<vtkDataArray*>& arrays, bool isRounded)
+void SetValues(const Fields& fields, const MeshNumbering& numbering,
+  const std::vector<SurfaceLocation>& locations, const std::vector<vtkDataArray*>& arrays,
+  bool isRounded)
 {
   int column = 0;
   for (vtkDataArray* array : arrays)
@@ -102,7 +104,8 @@ void SetValues(const Fields& fields, const std::vector<SurfaceLocation>& locatio
             if (locations[i].triangle >= 0)
             {
               const double value = fields(i, column);
-              values[i][c] = static_cast<Value>(isRounded ? std::round(value) : value);
+              values[numbering.FirstPointOf(i)][c] =
+                static_cast<Value>(isRounded ? std::round(value) : value);
             }
           });
         ++column;
@@ -154,22 +157,23 @@ vtkSmartPointer<vtkAbstractArray> ArrayTransfer::Add(vtkAbstractArray* array, st
   return group.to.back();
 }
 
-void ArrayTransfer::Run(const Points& V, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, const std::vector<SurfaceLocation>& locations) const
+void ArrayTransfer::Run(const WalkableSurface& surface, const MeshNumbering& numbering,
+  const std::vector<SurfaceLocation>& locations) const
 {
   if (!this->Nearest.from.empty())
   {
-    const vtkSmartPointer<vtkIdList> nearest = NearestPoints(triangles, locations);
+    const vtkSmartPointer<vtkIdList> nearest =
+      NearestPoints(surface.triangles, numbering, locations);
     for (std::size_t k = 0; k < this->Nearest.from.size(); ++k)
     {
       this->Nearest.from[k]->GetTuples(nearest, this->Nearest.to[k]);
     }
   }
-  const Fields linear =
-    InterpolateLinearly(triangles, FieldsOf(Numeric(this->Linear.from)), locations);
-  SetValues(linear, locations, Numeric(this->Linear.to), true);
-  const Fields smooth =
-    InterpolateSmoothly(V, triangles, cornersAt, FieldsOf(Numeric(this->Smooth.from)), locations);
-  SetValues(smooth, locations, Numeric(this->Smooth.to), false);
+  const Fields linear = FieldsOf(Numeric(this->Linear.from), numbering);
+  SetValues(InterpolateLinearly(surface.triangles, linear, locations), numbering, locations,
+    Numeric(this->Linear.to), true);
+  const Fields smooth = FieldsOf(Numeric(this->Smooth.from), numbering);
+  SetValues(InterpolateSmoothly(surface, smooth, locations), numbering, locations,
+    Numeric(this->Smooth.to), false);
 }
 }

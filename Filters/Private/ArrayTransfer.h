@@ -4,6 +4,7 @@
 #define ArrayTransfer_h
 
 #include "Core/Operators/FieldInterpolation.h"
+#include "MeshNumbering.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,7 +26,8 @@ public:
   /// \return a copy of the array, which Run() sets
   vtkSmartPointer<vtkAbstractArray> Add(vtkAbstractArray* array, std::size_t size);
 
-  void Run(const Points& V, const Triangles& triangles, const AdjacencyLists& cornersAt,
+  /// \param numbering of the surface's vertices and of the locations
+  void Run(const WalkableSurface& surface, const MeshNumbering& numbering,
     const std::vector<SurfaceLocation>& locations) const;
 
 private:

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CoincidentPoints.h"
 
+#include "Core/Base/Threading.h"
+
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -14,12 +17,47 @@ bool HaveSameCoordinates(const Points& V, Index i, Index j)
 {
   return V.row(i) == V.row(j);
 }
+
+/// Points whose coordinates fall in the same bucket of a hash table as those of another one: few
+/// where no two are the same, so that not all need sorting.
+std::vector<Index> PointsThatShareBuckets(const Points& V)
+{
+  std::size_t buckets = 1;
+  while (buckets < 16 * static_cast<std::size_t>(V.rows()))
+  {
+    buckets *= 2;
+  }
+  const std::hash<double> hash;
+  std::vector<std::size_t> bucketOf(V.rows());
+  ParallelFor(static_cast<Index>(V.rows()),
+    [&](Index i)
+    {
+      constexpr std::size_t factor = 31;
+      bucketOf[i] =
+        ((hash(V(i, 0)) * factor + hash(V(i, 1))) * factor + hash(V(i, 2))) & (buckets - 1);
+    });
+  std::vector<bool> isUsed(buckets, false);
+  std::vector<bool> isShared(buckets, false);
+  for (const std::size_t bucket : bucketOf)
+  {
+    isShared[bucket] = isUsed[bucket];
+    isUsed[bucket] = true;
+  }
+  std::vector<Index> points;
+  for (Index i = 0; i < static_cast<Index>(V.rows()); ++i)
+  {
+    if (isShared[bucketOf[i]])
+    {
+      points.push_back(i);
+    }
+  }
+  return points;
+}
 }
 
 std::vector<Index> PointsWithTwins(const Points& V)
 {
-  std::vector<Index> points(V.rows());
-  std::iota(points.begin(), points.end(), Index(0));
+  std::vector<Index> points = PointsThatShareBuckets(V);
   std::sort(points.begin(), points.end(),
     [&](Index i, Index j)
     {

@@ -263,10 +263,18 @@ void vtkLaplacianMeshOptimizer::Session::SetInput(
 {
   if (this->IsNew(input))
   {
-    this->HasResult = this->HasResult && this->IsStill(input);
-    this->Optimizer.reset(); // its memory serves for the next one
     lmo::SurfaceMesh mesh = this->ReadWelded(input, firstPoints);
+    const lmo::MeshFingerprint fingerprint = lmo::FingerprintOf(mesh);
+    const bool isSame = this->Optimizer && fingerprint == this->Fingerprint;
+    this->HasResult = this->HasResult && isSame && this->InputOrigin.data == input;
+    if (isSame)
+    {
+      this->InputOrigin = this->OriginOf(input);
+      return;
+    }
+    this->Optimizer.reset(); // its memory serves for the next one
     lmo::RenumberIfScattered(mesh);
+    this->Fingerprint = fingerprint;
     this->SetOptimizer(input, std::move(mesh.numbering),
       std::make_unique<lmo::Optimizer>(
         std::move(mesh.points), std::move(mesh.triangles), std::move(mesh.polygons)));

@@ -5,7 +5,7 @@
 
 #include "Core/Optimizer/Optimizer.h"
 #include "JoinedPieces.h"
-#include "PolyDataConversion.h"
+#include "MeshFingerprint.h"
 #include "ResultArrays.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceExtraction.h"
@@ -97,7 +97,8 @@ protected:
   /// True if points take the point data of their new places on the input.
   virtual bool InterpolatesPointData() const;
 
-  /// Makes the optimizer of the input, unless it is the one that is there.
+  /// Makes the optimizer of the input, unless the one that is there is that of the same mesh:
+  /// ParaView touches the input before each execution, so that it seems new.
   /// \throw InputError as lmo::ReadMesh() does.
   /// \param firstPoints as of lmo::JoinedPieces
   virtual void SetInput(vtkPolyData* input, const std::vector<lmo::Index>& firstPoints);
@@ -109,7 +110,6 @@ protected:
   lmo::SurfaceMesh ReadWelded(vtkPolyData* data, const std::vector<lmo::Index>& firstPoints) const;
 
   /// True if a surface is the object of which the optimizer was made, with the same coordinates.
-  /// ParaView touches it before each execution, so that it seems new.
   bool IsStill(vtkPolyData* surface) const;
 
   /// True if Optimizer is not that of the input as it is now.
@@ -221,7 +221,8 @@ private:
   lmo::CachedJoin JoinedReference;
   lmo::MeshNumbering Numbering;
   Origin InputOrigin;
-  bool HasResult = false; ///< one has been made of the optimizer's mesh
+  lmo::MeshFingerprint Fingerprint{}; ///< of the optimizer's mesh as it was read
+  bool HasResult = false;             ///< one has been made of the optimizer's mesh
   std::map<std::vector<unsigned int>, TimeSteps> Steps; ///< of each surface by its path
   std::shared_ptr<const lmo::MeshQuantities> Reference;
   lmo::MeshNumbering ReferenceNumbering;

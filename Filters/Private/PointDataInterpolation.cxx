@@ -8,12 +8,11 @@
 #include "Core/Mesh/MeshTopology.h"
 #include "Core/Mesh/SurfaceWalk.h"
 #include "Core/Mesh/TriangleBvh.h"
-#include "Core/Mesh/TriangleGeometry.h"
+#include "Core/Operators/MeshQuantities.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
@@ -85,60 +84,65 @@ Triangles TrianglesOfSides(vtkPolyData* input, const std::vector<Index>& firstPo
   return triangles;
 }
 
-/// Where the output points lie on a surface.
-struct PlacesOnSurface
+Points PositionsOf(vtkPolyData* surface)
 {
-  Points V;            ///< the points of the surface
-  Triangles triangles; ///< connected where there is no seam
-  AdjacencyLists cornersAt;
-  std::vector<SurfaceLocation> locations; ///< no triangle for points that did not move
+  Points positions(surface->GetNumberOfPoints(), 3);
+  ParallelFor(static_cast<Index>(positions.rows()),
+    [&](Index i) { surface->GetPoint(i, positions.row(i).data()); });
+  return positions;
+}
 
-  PlacesOnSurface(vtkPolyData* surface, const std::vector<Index>& firstPoints)
-    : V(PointsOf(surface->GetPoints()))
-    , triangles(TrianglesOfSides(surface, firstPoints))
+/// A surface whose vertices are its points, connected where there is no seam.
+struct SurfaceOfSides
+{
+  std::vector<Index> firstPoints; ///< FirstPointsOfSides()
+  Points V;
+  Triangles triangles;
+  AdjacencyLists cornersAt;
+
+  SurfaceOfSides(vtkPolyData* surface, vtkPointData* data, const MeshNumbering& numbering)
+    : firstPoints(FirstPointsOfSides(data, numbering))
+    , V(PositionsOf(surface))
+    , triangles(TrianglesOfSides(surface, this->firstPoints))
     , cornersAt(CornersAtVertices(static_cast<Index>(this->V.rows()), this->triangles))
   {
   }
 
-  /// Of the surface's own points, from where they were.
-  void Follow(const std::vector<Index>& firstPoints, const Points& positions)
-  {
-    this->locations.resize(positions.rows());
-    ParallelFor(static_cast<Index>(positions.rows()),
-      [&](Index i)
-      {
-        if (positions.row(i) != this->V.row(i))
-        {
-          this->locations[i] = WalkToClosestPoint(
-            this->V, this->triangles, this->cornersAt, firstPoints[i], positions.row(i));
-        }
-      });
-  }
-
-  /// Of any points.
-  void FindClosest(const Points& positions)
-  {
-    ProgressMonitor unwatched;
-    const TriangleBvh tree(this->V, this->triangles, unwatched);
-    this->locations.resize(positions.rows());
-    ParallelFor(static_cast<Index>(positions.rows()),
-      [&](Index i)
-      {
-        const Index closest = tree.FindClosest(positions.row(i)).triangle;
-        this->locations[i] = WalkToClosestPoint(
-          this->V, this->triangles, this->cornersAt, this->triangles(closest, 0), positions.row(i));
-      });
-  }
-
-private:
-  static Points PointsOf(vtkPoints* points)
-  {
-    Points V(points->GetNumberOfPoints(), 3);
-    ParallelFor(
-      static_cast<Index>(V.rows()), [&](Index i) { points->GetPoint(i, V.row(i).data()); });
-    return V;
-  }
+  WalkableSurface View() const { return { this->V, this->triangles, this->cornersAt }; }
 };
+
+/// The places of vertices that moved along the surface.
+/// \param start start(i): a vertex at which triangles begin that are where vertex i was
+template <typename Start>
+std::vector<SurfaceLocation> PlacesOfMoved(
+  const WalkableSurface& surface, const Points& positions, const Start& start)
+{
+  std::vector<SurfaceLocation> places(positions.rows());
+  ParallelFor(static_cast<Index>(positions.rows()),
+    [&](Index i)
+    {
+      if (positions.row(i) != surface.V.row(i))
+      {
+        places[i] = WalkToClosestPoint(surface, start(i), positions.row(i));
+      }
+    });
+  return places;
+}
+
+/// The places on the surface that are closest to any positions.
+std::vector<SurfaceLocation> ClosestPlaces(const WalkableSurface& surface, const Points& positions)
+{
+  ProgressMonitor unwatched;
+  const TriangleBvh tree(surface.V, surface.triangles, unwatched);
+  std::vector<SurfaceLocation> places(positions.rows());
+  ParallelFor(static_cast<Index>(positions.rows()),
+    [&](Index i)
+    {
+      const Index closest = tree.FindClosest(positions.row(i)).triangle;
+      places[i] = WalkToClosestPoint(surface, surface.triangles(closest, 0), positions.row(i));
+    });
+  return places;
+}
 
 bool StaysWithPoint(vtkPointData* data, vtkAbstractArray* array)
 {
@@ -149,14 +153,15 @@ bool StaysWithPoint(vtkPointData* data, vtkAbstractArray* array)
          std::strcmp(name, vtkDataSetAttributes::GhostArrayName()) == 0;
 }
 
-/// Gives the normals that were interpolated unit length.
-void Normalise(vtkDataArray* normals, const std::vector<SurfaceLocation>& locations)
+/// Gives the normals at places unit length.
+void Normalise(
+  vtkDataArray* normals, const MeshNumbering& numbering, const std::vector<SurfaceLocation>& places)
 {
-  for (std::size_t i = 0; i < locations.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    if (locations[i].triangle >= 0)
+    if (places[i].triangle >= 0)
     {
-      const auto point = static_cast<vtkIdType>(i);
+      const Index point = numbering.FirstPointOf(static_cast<Index>(i));
       Vector3 normal;
       normals->GetTuple(point, normal.data());
       normals->SetTuple(point, Vector3(normal.stableNormalized()).data());
@@ -175,11 +180,12 @@ void AddArray(vtkPointData* from, int k, vtkAbstractArray* values, vtkPointData*
   }
 }
 
-/// Point data of a surface at the locations.
+/// Point data of a surface at places on it.
+/// \param numbering of the surface's vertices and of the places
 /// \param stays stays(array) for arrays that are passed as they are
 template <typename Stays>
-vtkSmartPointer<vtkPointData> TransferAll(
-  vtkPointData* data, const PlacesOnSurface& places, const Stays& stays)
+vtkSmartPointer<vtkPointData> TransferAll(vtkPointData* data, const WalkableSurface& surface,
+  const MeshNumbering& numbering, const std::vector<SurfaceLocation>& places, const Stays& stays)
 {
   auto result = vtkSmartPointer<vtkPointData>::New();
   ArrayTransfer transfer;
@@ -188,26 +194,27 @@ vtkSmartPointer<vtkPointData> TransferAll(
     vtkSmartPointer<vtkAbstractArray> values = data->GetAbstractArray(k);
     if (!stays(values))
     {
-      values = transfer.Add(values, places.locations.size());
+      values = transfer.Add(values, places.size());
     }
     AddArray(data, k, values, result);
   }
-  transfer.Run(places.V, places.triangles, places.cornersAt, places.locations);
+  transfer.Run(surface, numbering, places);
   vtkDataArray* normals = result->GetNormals();
   if (normals && normals != data->GetNormals() && IsInterpolated(normals))
   {
-    Normalise(normals, places.locations);
+    Normalise(normals, numbering, places);
   }
   return result;
 }
 }
 
-vtkSmartPointer<vtkPointData> InterpolatePointData(
-  vtkPolyData* input, const MeshNumbering& numbering, const Points& positions)
+vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,
+  const MeshNumbering& numbering, const Points& positions)
 {
   vtkPointData* data = input->GetPointData();
-  const auto stays = [&](vtkAbstractArray* array)
-  { return StaysWithPoint(data, array) || array->GetNumberOfTuples() != positions.rows(); };
+  const auto stays = [&](vtkAbstractArray* array) {
+    return StaysWithPoint(data, array) || array->GetNumberOfTuples() != input->GetNumberOfPoints();
+  };
   bool areAllStaying = true;
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
@@ -219,10 +226,17 @@ vtkSmartPointer<vtkPointData> InterpolatePointData(
     result->ShallowCopy(data);
     return result;
   }
-  const std::vector<Index> firstPoints = FirstPointsOfSides(data, numbering);
-  PlacesOnSurface places(input, firstPoints);
-  places.Follow(firstPoints, positions);
-  return TransferAll(data, places, stays);
+  if (!numbering.HasMergedPoints())
+  {
+    const WalkableSurface surface{ mesh.GetPoints(), mesh.GetTriangles(),
+      mesh.GetTopology().cornersAt };
+    const auto places = PlacesOfMoved(surface, positions, [](Index i) { return i; });
+    return TransferAll(data, surface, numbering, places, stays);
+  }
+  const SurfaceOfSides sides(input, data, numbering);
+  const auto places = PlacesOfMoved(
+    sides.View(), numbering.ToPoints(positions), [&](Index i) { return sides.firstPoints[i]; });
+  return TransferAll(data, sides.View(), MeshNumbering(), places, stays);
 }
 
 vtkSmartPointer<vtkPointData> PointDataAt(
@@ -242,8 +256,8 @@ vtkSmartPointer<vtkPointData> PointDataAt(
   {
     return vtkSmartPointer<vtkPointData>::New();
   }
-  PlacesOnSurface places(surface, FirstPointsOfSides(data, numbering));
-  places.FindClosest(positions);
-  return TransferAll(data, places, [](vtkAbstractArray*) { return false; });
+  const SurfaceOfSides sides(surface, data, numbering);
+  return TransferAll(data, sides.View(), MeshNumbering(), ClosestPlaces(sides.View(), positions),
+    [](vtkAbstractArray*) { return false; });
 }
 }

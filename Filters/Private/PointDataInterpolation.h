@@ -12,6 +12,8 @@ class vtkPolyData;
 
 namespace lmo
 {
+class MeshQuantities;
+
 /// The point data of a surface whose points moved along it: each point takes the values at the
 /// point of the input that is closest to it, as WalkToClosestPoint() finds that. Points that did
 /// not move keep theirs.
@@ -23,12 +25,14 @@ namespace lmo
 /// original ids and the ghost flags stay with the point. Points that are one vertex belong to
 /// different sides of a seam if their interpolated arrays, without normals, differ: then each takes
 /// the values of its own side.
-/// \param positions of the output, a row per point
-vtkSmartPointer<vtkPointData> InterpolatePointData(
-  vtkPolyData* input, const MeshNumbering& numbering, const Points& positions);
+/// \param mesh that was read from the input
+/// \param positions of the mesh's vertices in the output
+vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,
+  const MeshNumbering& numbering, const Points& positions);
 
 /// The point data of a surface with triangles at those of its points that are closest to the
 /// positions, interpolated likewise; without ids and ghost flags.
+/// \param positions a row per point of the output
 vtkSmartPointer<vtkPointData> PointDataAt(
   vtkPolyData* surface, const MeshNumbering& numbering, const Points& positions);
 }

@@ -46,7 +46,7 @@ Fields Smooth(
   const TestMesh& mesh, const Fields& fields, const std::vector<SurfaceLocation>& locations)
 {
   const AdjacencyLists cornersAt = CornersAtVertices(Index(mesh.V.rows()), mesh.T);
-  return InterpolateSmoothly(mesh.V, mesh.T, cornersAt, fields, locations);
+  return InterpolateSmoothly({ mesh.V, mesh.T, cornersAt }, fields, locations);
 }
 
 /// Columns x, x + 2 y, constant, x^2 - y^2, and a step: more than are treated at once.

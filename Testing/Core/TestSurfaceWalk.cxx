@@ -43,7 +43,7 @@ double WalkError(const TestMesh& mesh, double displacement)
   for (Index i = 0; i < size; ++i)
   {
     const Vector3 x = moved.row(i);
-    const SurfaceLocation location = WalkToClosestPoint(mesh.V, mesh.T, cornersAt, i, x);
+    const SurfaceLocation location = WalkToClosestPoint({ mesh.V, mesh.T, cornersAt }, i, x);
     error =
       Larger(error, std::abs((PointAt(mesh, location) - x).norm() - DistanceByBruteForce(mesh, x)));
   }
@@ -59,7 +59,8 @@ double WeightError(const SurfaceLocation& location)
 SurfaceLocation Walk(const TestMesh& mesh, Index vertex, const Vector3& x)
 {
   const auto size = static_cast<Index>(mesh.V.rows());
-  return WalkToClosestPoint(mesh.V, mesh.T, CornersAtVertices(size, mesh.T), vertex, x);
+  const AdjacencyLists cornersAt = CornersAtVertices(size, mesh.T);
+  return WalkToClosestPoint({ mesh.V, mesh.T, cornersAt }, vertex, x);
 }
 
 /// Two squares of 8 x 8 cells, one .1 above the other.

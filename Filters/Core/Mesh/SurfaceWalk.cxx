@@ -14,11 +14,8 @@ namespace
 class ClosestTriangle
 {
 public:
-  ClosestTriangle(
-    const Points& V, const Triangles& triangles, const AdjacencyLists& cornersAt, const Vector3& x)
-    : V(V)
-    , T(triangles)
-    , CornersAt(cornersAt)
+  ClosestTriangle(const WalkableSurface& surface, const Vector3& x)
+    : Surface(surface)
     , X(x)
   {
   }
@@ -31,12 +28,13 @@ public:
   /// Looks at the triangles at a vertex.
   void VisitVertex(Index i)
   {
-    const Vector3 here = this->V.row(i);
+    const auto& [V, T, cornersAt] = this->Surface;
+    const Vector3 here = V.row(i);
     const Vector3 direction = this->X - here;
-    for (const Index corner : this->CornersAt[i])
+    for (const Index corner : cornersAt[i])
     {
-      const Vector3 next = this->V.row(this->T.data()[NextCorner(corner)]);
-      const Vector3 previous = this->V.row(this->T.data()[PreviousCorner(corner)]);
+      const Vector3 next = V.row(T.data()[NextCorner(corner)]);
+      const Vector3 previous = V.row(T.data()[PreviousCorner(corner)]);
       // The weights of the corner, the next, and the previous one.
       Vector3 weights(1, 0, 0);
       if (direction.dot(next - here) > 0 || direction.dot(previous - here) > 0)
@@ -58,9 +56,7 @@ public:
   }
 
 private:
-  const Points& V;
-  const Triangles& T;
-  const AdjacencyLists& CornersAt;
+  const WalkableSurface Surface;
   const Vector3 X;
   Index Closest = -1;
   Vector3 Weights = Vector3::Zero();
@@ -68,11 +64,11 @@ private:
 };
 }
 
-SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, Index vertex, const Vector3& x)
+SurfaceLocation WalkToClosestPoint(const WalkableSurface& surface, Index vertex, const Vector3& x)
 {
+  const AdjacencyLists& cornersAt = surface.cornersAt;
   SurfaceLocation location;
-  ClosestTriangle closest(V, triangles, cornersAt, x);
+  ClosestTriangle closest(surface, x);
   closest.VisitVertex(vertex);
   while (closest.Get() != location.triangle)
   {
@@ -81,7 +77,7 @@ SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
       location.weights.minCoeff() > 0; // then it is closer than what is beside it
     for (int k = 0; k < 3 && !isInside; ++k)
     {
-      const Index i = triangles(location.triangle, k);
+      const Index i = surface.triangles(location.triangle, k);
       // Triangles that meet the closest point; the walk goes around vertices of high valence by the
       // corners opposite.
       const bool isThere = location.weights[k] > 0 || cornersAt.Size(vertex) > LargestStar;

@@ -7,6 +7,14 @@
 
 namespace lmo
 {
+/// A surface to walk on, by its parts, which somebody else keeps.
+struct WalkableSurface
+{
+  const Points& V;
+  const Triangles& triangles;
+  const AdjacencyLists& cornersAt; ///< CornersAtVertices() of the triangles
+};
+
 /// A point of a surface.
 struct SurfaceLocation
 {
@@ -18,10 +26,8 @@ struct SurfaceLocation
 /// triangles at the vertex and, unless the closest point lies inside a triangle, goes on to those
 /// that share a vertex with the closest triangle, as long as the distance falls. Sheets of the
 /// surface that are not connected there are not reached.
-/// \param cornersAt CornersAtVertices() of the triangles
 /// \return no triangle if the vertex has none
-SurfaceLocation WalkToClosestPoint(const Points& V, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, Index vertex, const Vector3& x);
+SurfaceLocation WalkToClosestPoint(const WalkableSurface& surface, Index vertex, const Vector3& x);
 }
 
 #endif

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 namespace lmo
@@ -25,26 +26,6 @@ struct Neighbourhood
   std::array<Block, 3> gradient; ///< a component each
   Block lowest;
   Block highest;
-
-  Neighbourhood() = default;
-  explicit Neighbourhood(const Block& values)
-    : gradient{ { Block::Zero(), Block::Zero(), Block::Zero() } }
-    , lowest(values)
-    , highest(values)
-  {
-  }
-
-  /// Adds a neighbour: a term of the gradient is its difference times a vector.
-  void Add(const Block& values, const Block& atVertex, const Vector3& factor)
-  {
-    const Block difference = values - atVertex;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      this->gradient[axis] += factor[axis] * difference;
-    }
-    this->lowest = this->lowest.min(values);
-    this->highest = this->highest.max(values);
-  }
 };
 
 /// A value for each vertex, without any at first: several threads touch the memory first.
@@ -65,44 +46,115 @@ PerVertex<Block> BlockOf(const Fields& fields, Index first)
   return values;
 }
 
-Neighbourhood Around(const Points& V, const Triangles& T, const AdjacencyLists& cornersAt,
-  const PerVertex<Block>& values, Index i)
+/// The way from a vertex to a neighbour.
+struct Spoke
 {
-  Neighbourhood result(values[i]);
-  const Vector3 here = V.row(i);
-  double weights = 0;
-  for (const Index corner : cornersAt[i])
+  Index end = -1;
+  Vector3 edge = Vector3::Zero();
+  double squaredLength = 0;
+  Block difference = Block::Zero(); ///< of the fields
+  Vector3 factor = Vector3::Zero(); ///< times the difference, it is a term of the gradient
+};
+
+/// Goes around a vertex from triangle to triangle.
+class Surroundings
+{
+public:
+  Surroundings(const WalkableSurface& surface, const PerVertex<Block>& values, Index i)
+    : Surface(surface)
+    , Values(values)
+    , Here(surface.V.row(i))
+    , AtVertex(values[i])
+    , Result{ { Block::Zero(), Block::Zero(), Block::Zero() }, values[i], values[i] }
   {
-    const Index next = T.data()[NextCorner(corner)];
-    const Index previous = T.data()[PreviousCorner(corner)];
-    const Vector3 toNext = V.row(next) - here;
-    const Vector3 toPrevious = V.row(previous) - here;
-    const Vector3 normal = toNext.cross(toPrevious);
-    const double length = normal.norm();
-    const double squares = toNext.squaredNorm() * toPrevious.squaredNorm();
-    if (length > 0 && squares > 0)
+  }
+
+  /// Adds the triangle of a corner at the vertex. In a fan it begins where the last one ended.
+  void Add(Index corner)
+  {
+    const Index* corners = this->Surface.triangles.data();
+    Spoke next = this->Last;
+    if (next.end != corners[NextCorner(corner)])
+    {
+      this->AddTerm(this->Last);
+      next = this->SpokeTo(corners[NextCorner(corner)]);
+    }
+    Spoke previous = this->SpokeTo(corners[PreviousCorner(corner)]);
+    const Vector3 normal = next.edge.cross(previous.edge);
+    const double squaredNorm = normal.squaredNorm();
+    const double squares = next.squaredLength * previous.squaredLength;
+    if (squaredNorm > 0 && squares > 0)
     {
       // The gradient of the linear interpolation times sin(angle) / (product of the edges).
-      const Vector3 scaled = normal / (length * squares);
-      weights += length / squares;
-      result.Add(values[previous], values[i], scaled.cross(toNext));
-      result.Add(values[next], values[i], toPrevious.cross(scaled));
+      const double length = std::sqrt(squaredNorm);
+      const double inverse = 1 / (length * squares);
+      const Vector3 scaled = inverse * normal;
+      this->Weights += inverse * squaredNorm;
+      next.factor += previous.edge.cross(scaled);
+      previous.factor = scaled.cross(next.edge);
+    }
+    this->AddTerm(next);
+    this->Last = previous;
+  }
+
+  Neighbourhood Finish()
+  {
+    this->AddTerm(this->Last);
+    for (Block& component : this->Result.gradient)
+    {
+      component *= this->Weights > 0 ? 1 / this->Weights : 0;
+    }
+    return this->Result;
+  }
+
+private:
+  Spoke SpokeTo(Index j)
+  {
+    const Block& values = this->Values[j];
+    this->Result.lowest = this->Result.lowest.min(values);
+    this->Result.highest = this->Result.highest.max(values);
+    Spoke spoke;
+    spoke.end = j;
+    spoke.edge = this->Surface.V.row(j) - this->Here;
+    spoke.squaredLength = spoke.edge.squaredNorm();
+    spoke.difference = values - this->AtVertex;
+    return spoke;
+  }
+
+  void AddTerm(const Spoke& spoke)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      this->Result.gradient[axis] += spoke.factor[axis] * spoke.difference;
     }
   }
-  for (Block& component : result.gradient)
+
+  const WalkableSurface& Surface;
+  const PerVertex<Block>& Values;
+  const Vector3 Here;
+  const Block AtVertex;
+  Spoke Last;
+  double Weights = 0;
+  Neighbourhood Result;
+};
+
+Neighbourhood Around(const WalkableSurface& surface, const PerVertex<Block>& values, Index i)
+{
+  Surroundings surroundings(surface, values, i);
+  for (const Index corner : surface.cornersAt[i])
   {
-    component *= weights > 0 ? 1 / weights : 0;
+    surroundings.Add(corner);
   }
-  return result;
+  return surroundings.Finish();
 }
 
 /// InterpolateSmoothly() of a block of fields.
-Block SmoothAt(const Points& V, const Triangles& T, const PerVertex<Block>& values,
+Block SmoothAt(const WalkableSurface& surface, const PerVertex<Block>& values,
   const PerVertex<Neighbourhood>& around, const SurfaceLocation& location)
 {
-  const TriangleCorners x = CornersOf(V, T, location.triangle);
+  const TriangleCorners x = CornersOf(surface.V, surface.triangles, location.triangle);
   const Vector3 position = location.weights * x;
-  const auto corners = T.row(location.triangle);
+  const auto corners = surface.triangles.row(location.triangle);
   // What is added to the value at a corner vanishes exactly where the field is constant.
   Block value = values[corners[0]];
   value += location.weights[1] * (values[corners[1]] - values[corners[0]]) +
@@ -147,8 +199,7 @@ Fields InterpolateLinearly(
   return result;
 }
 
-Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, const Fields& fields,
+Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations)
 {
   Fields result(static_cast<Eigen::Index>(locations.size()), fields.cols());
@@ -157,15 +208,15 @@ Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
     const Index count = std::min<Index>(BlockSize, static_cast<Index>(fields.cols()) - first);
     const PerVertex<Block> values = BlockOf(fields, first);
     const PerVertex<Neighbourhood> around(new Neighbourhood[fields.rows()]);
-    ParallelFor(static_cast<Index>(fields.rows()),
-      [&](Index i) { around[i] = Around(V, triangles, cornersAt, values, i); });
+    ParallelFor(
+      static_cast<Index>(fields.rows()), [&](Index i) { around[i] = Around(surface, values, i); });
     ParallelFor(static_cast<Index>(locations.size()),
       [&](Index i)
       {
         Block value = Block::Zero();
         if (locations[i].triangle >= 0)
         {
-          value = SmoothAt(V, triangles, values, around, locations[i]);
+          value = SmoothAt(surface, values, around, locations[i]);
         }
         result.row(i).segment(first, count) = value.head(count).transpose();
       });
@@ -173,12 +224,11 @@ Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
   return result;
 }
 
-Points MoveWithSurface(const Points& before, const Points& after, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, const Points& positions)
+Points MoveWithSurface(const WalkableSurface& before, const Points& after, const Points& positions)
 {
   std::vector<SurfaceLocation> places(positions.rows());
-  ParallelFor(static_cast<Index>(positions.rows()), [&](Index i)
-    { places[i] = WalkToClosestPoint(before, triangles, cornersAt, i, positions.row(i)); });
-  return positions + InterpolateLinearly(triangles, after - before, places);
+  ParallelFor(static_cast<Index>(positions.rows()),
+    [&](Index i) { places[i] = WalkToClosestPoint(before, i, positions.row(i)); });
+  return positions + InterpolateLinearly(before.triangles, after - before.V, places);
 }
 }

@@ -25,17 +25,14 @@ Fields InterpolateLinearly(
 /// triangles of those of the linear interpolation, with the weights that N. Max (1999) gives for
 /// normals: the sine of the angle over the product of the edges. It is exact for linear fields on a
 /// plane.
-/// \param cornersAt CornersAtVertices() of the triangles
-Fields InterpolateSmoothly(const Points& V, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, const Fields& fields,
+Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations);
 
 /// Where positions near a surface are when it has moved: each moves as the place of the surface
 /// that is closest to it.
-/// \param before, after vertices of the surface
+/// \param after the surface's vertices after the motion
 /// \param positions one for each vertex, near which the closest place is sought
-Points MoveWithSurface(const Points& before, const Points& after, const Triangles& triangles,
-  const AdjacencyLists& cornersAt, const Points& positions);
+Points MoveWithSurface(const WalkableSurface& before, const Points& after, const Points& positions);
 }
 
 #endif

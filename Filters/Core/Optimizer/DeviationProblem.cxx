@@ -121,9 +121,8 @@ Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
   const DisplacementConstraints& constraints)
 {
   const Points& V = mesh.GetPoints();
-  Points displacement = MoveWithSurface(earlier.before, V, mesh.GetTriangles(),
-                          mesh.GetTopology().cornersAt, earlier.after) -
-                        V;
+  const WalkableSurface before{ earlier.before, mesh.GetTriangles(), mesh.GetTopology().cornersAt };
+  Points displacement = MoveWithSurface(before, V, earlier.after) - V;
   for (Index i = 0; i < mesh.GetTopology().vertices; ++i)
   {
     // A line that leads out of the free axes cannot be followed.
