@@ -9,7 +9,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <memory>
 
 namespace lmo
@@ -81,15 +81,13 @@ public:
     }
     Spoke previous = this->SpokeTo(corners[PreviousCorner(corner)]);
     const Vector3 normal = next.edge.cross(previous.edge);
-    const double squaredNorm = normal.squaredNorm();
     const double squares = next.squaredLength * previous.squaredLength;
-    if (squaredNorm > 0 && squares > 0)
+    if (squares * squares > std::numeric_limits<double>::min())
     {
-      // The gradient of the linear interpolation times sin(angle) / (product of the edges).
-      const double length = std::sqrt(squaredNorm);
-      const double inverse = 1 / (length * squares);
+      // The gradient of the linear interpolation times (sin(angle) / (product of the edges))^2.
+      const double inverse = 1 / (squares * squares);
       const Vector3 scaled = inverse * normal;
-      this->Weights += inverse * squaredNorm;
+      this->Weights += inverse * normal.squaredNorm();
       next.factor += previous.edge.cross(scaled);
       previous.factor = scaled.cross(next.edge);
     }

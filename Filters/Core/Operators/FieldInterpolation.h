@@ -22,9 +22,9 @@ Fields InterpolateLinearly(
 ///   sum_k w_k (f_k + g_k . (x - x_k) / 2),
 /// within sum_k w_k (the range of the values at corner k and its neighbours). The result is
 /// continuous, and no value leaves the field's range. The gradient at a vertex is the mean over its
-/// triangles of those of the linear interpolation, with the weights that N. Max (1999) gives for
-/// normals: the sine of the angle over the product of the edges. It is exact for linear fields on a
-/// plane.
+/// triangles of those of the linear interpolation, with the squares of the weights that N. Max
+/// (1999) gives for normals: of the sine of the angle over the product of the edges. It is exact
+/// for linear fields on a plane.
 Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations);
 
