@@ -8,6 +8,7 @@
 #include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
 
+
 #include <cmath>
 
 namespace lmo
@@ -35,51 +36,52 @@ vtkSmartPointer<vtkIdList> NearestPoints(const Triangles& triangles, const MeshN
   return nearest;
 }
 
-/// Calls body(values, component) for each component of an array, with its values as a range.
+/// Calls body(tuples, a value) with the values of an array as a range of tuples.
 template <typename Body>
-struct ForEachComponent
+struct CallWithTuples
 {
   const Body& body;
 
   template <typename Array>
   void operator()(Array* array) const
   {
-    auto values = vtk::DataArrayTupleRange(array);
-    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
-    {
-      this->body(values, c, vtk::GetAPIType<Array>());
-    }
+    auto tuples = vtk::DataArrayTupleRange(array);
+    this->body(tuples, vtk::GetAPIType<Array>());
   }
 };
 
 template <typename Body>
-void VisitComponents(vtkDataArray* array, const Body& body)
+void VisitTuples(vtkDataArray* array, const Body& body)
 {
-  const ForEachComponent<Body> visitor{ body };
+  const CallWithTuples<Body> visitor{ body };
   if (!vtkArrayDispatch::DispatchByValueType<vtkArrayDispatch::Reals>::Execute(array, visitor))
   {
     visitor(array);
   }
 }
 
-/// The components of the arrays as columns, a row for each vertex.
-Fields FieldsOf(const std::vector<vtkDataArray*>& arrays, const MeshNumbering& numbering)
+/// A component of an array, and of the one that it is transferred to.
+struct Column
 {
-  int columns = 0;
-  for (vtkDataArray* array : arrays)
+  vtkDataArray* from;
+  vtkDataArray* to;
+  int component;
+};
+
+/// The values of up to four columns at the vertices, 0 in place of those that are missing.
+Fields FieldsOf(const std::vector<Column>& columns, const MeshNumbering& numbering)
+{
+  Fields fields(columns[0].from->GetNumberOfTuples(), int(Fields::ColsAtCompileTime));
+  const auto size = static_cast<Index>(fields.rows());
+  ParallelFor(size, [&](Index i) { fields.row(i).setZero(); });
+  for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    columns += array->GetNumberOfComponents();
-  }
-  Fields fields(arrays.empty() ? 0 : arrays[0]->GetNumberOfTuples(), columns);
-  int column = 0;
-  for (vtkDataArray* array : arrays)
-  {
-    VisitComponents(array,
-      [&](const auto& values, int c, auto)
+    const int component = columns[k].component;
+    VisitTuples(columns[k].from,
+      [&](const auto& tuples, auto)
       {
-        ParallelFor(static_cast<Index>(fields.rows()), [&](Index i)
-          { fields(i, column) = static_cast<double>(values[numbering.FirstPointOf(i)][c]); });
-        ++column;
+        ParallelFor(size, [&](Index i)
+          { fields(i, k) = static_cast<double>(tuples[numbering.FirstPointOf(i)][component]); });
       });
   }
   return fields;
@@ -88,14 +90,13 @@ Fields FieldsOf(const std::vector<vtkDataArray*>& arrays, const MeshNumbering& n
 /// Sets the values of points that moved.
 /// \param isRounded to whole numbers
 void SetValues(const Fields& fields, const MeshNumbering& numbering,
-  const std::vector<SurfaceLocation>& locations, const std::vector<vtkDataArray*>& arrays,
-  bool isRounded)
+  const std::vector<SurfaceLocation>& locations, const std::vector<Column>& columns, bool isRounded)
 {
-  int column = 0;
-  for (vtkDataArray* array : arrays)
+  for (std::size_t k = 0; k < columns.size(); ++k)
   {
-    VisitComponents(array,
-      [&](auto& values, int c, auto zero)
+    const int component = columns[k].component;
+    VisitTuples(columns[k].to,
+      [&](auto& tuples, auto zero)
       {
         using Value = decltype(zero);
         ParallelFor(static_cast<Index>(fields.rows()),
@@ -103,13 +104,36 @@ void SetValues(const Fields& fields, const MeshNumbering& numbering,
           {
             if (locations[i].triangle >= 0)
             {
-              const double value = fields(i, column);
-              values[numbering.FirstPointOf(i)][c] =
+              const double value = fields(i, k);
+              tuples[numbering.FirstPointOf(i)][component] =
                 static_cast<Value>(isRounded ? std::round(value) : value);
             }
           });
-        ++column;
       });
+  }
+}
+
+/// Calls transfer(columns) for all components of numeric arrays, as many as Fields holds at once.
+template <typename Arrays, typename Copies, typename Transfer>
+void ForEachGroupOfColumns(const Arrays& from, const Copies& to, const Transfer& transfer)
+{
+  std::vector<Column> columns;
+  for (std::size_t k = 0; k < from.size(); ++k)
+  {
+    vtkDataArray* array = vtkDataArray::FastDownCast(from[k]);
+    for (int c = 0; c < array->GetNumberOfComponents(); ++c)
+    {
+      columns.push_back({ array, vtkDataArray::FastDownCast(to[k]), c });
+      if (columns.size() == Fields::ColsAtCompileTime)
+      {
+        transfer(columns);
+        columns.clear();
+      }
+    }
+  }
+  if (!columns.empty())
+  {
+    transfer(columns);
   }
 }
 
@@ -125,18 +149,6 @@ vtkSmartPointer<vtkAbstractArray> CopyFor(vtkAbstractArray* array, vtkIdType siz
   return copy;
 }
 
-/// The arrays, all of which are numeric.
-template <typename Arrays>
-std::vector<vtkDataArray*> Numeric(const Arrays& arrays)
-{
-  std::vector<vtkDataArray*> numeric;
-  numeric.reserve(arrays.size());
-  for (vtkAbstractArray* array : arrays)
-  {
-    numeric.push_back(vtkDataArray::FastDownCast(array));
-  }
-  return numeric;
-}
 }
 
 bool IsInterpolated(vtkAbstractArray* array)
@@ -169,11 +181,19 @@ void ArrayTransfer::Run(const WalkableSurface& surface, const MeshNumbering& num
       this->Nearest.from[k]->GetTuples(nearest, this->Nearest.to[k]);
     }
   }
-  const Fields linear = FieldsOf(Numeric(this->Linear.from), numbering);
-  SetValues(InterpolateLinearly(surface.triangles, linear, locations), numbering, locations,
-    Numeric(this->Linear.to), true);
-  const Fields smooth = FieldsOf(Numeric(this->Smooth.from), numbering);
-  SetValues(InterpolateSmoothly(surface, smooth, locations), numbering, locations,
-    Numeric(this->Smooth.to), false);
+  ForEachGroupOfColumns(this->Linear.from, this->Linear.to,
+    [&](const std::vector<Column>& columns)
+    {
+      const Fields fields = FieldsOf(columns, numbering);
+      SetValues(InterpolateLinearly(surface.triangles, fields, locations), numbering, locations,
+        columns, true);
+    });
+  ForEachGroupOfColumns(this->Smooth.from, this->Smooth.to,
+    [&](const std::vector<Column>& columns)
+    {
+      const Fields fields = FieldsOf(columns, numbering);
+      SetValues(
+        InterpolateSmoothly(surface, fields, locations), numbering, locations, columns, false);
+    });
 }
 }

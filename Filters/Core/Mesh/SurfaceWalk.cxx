@@ -25,37 +25,125 @@ public:
   /// Barycentric coordinates of the closest point of that triangle.
   const Vector3& GetWeights() const { return this->Weights; }
 
+  /// Looks at the triangle at a vertex over which x lies, and at those beside it.
+  /// \return true if x is closer to it than to all others but those that fold back over it by more
+  /// than 90 degrees: what borders on it elsewhere is farther from the closest point than x is.
+  bool VisitTriangleBelow(Index i)
+  {
+    const Vector3 direction = this->X - Vector3(this->Surface.V.row(i));
+    for (const Index corner : this->Surface.cornersAt[i])
+    {
+      const CornerEdges edges = this->EdgesOf(i, corner);
+      const double next = direction.dot(edges.next);
+      const double previous = direction.dot(edges.previous);
+      const double product = edges.next.dot(edges.previous);
+      const double squares = edges.next.squaredNorm() * edges.previous.squaredNorm();
+      // The projection of x is the corner and these multiples of the edges, divided by the area.
+      const double ofNext = next * edges.previous.squaredNorm() - previous * product;
+      const double ofPrevious = previous * edges.next.squaredNorm() - next * product;
+      if (ofNext > 0 && ofPrevious > 0)
+      {
+        const double area = squares - product * product; // its square, times 4
+        constexpr double thin = 1e-3;                    // costs three digits
+        if (ofNext + ofPrevious >= area || area < thin * squares)
+        {
+          return false;
+        }
+        this->Keep(corner, { 1 - (ofNext + ofPrevious) / area, ofNext / area, ofPrevious / area },
+          edges, direction);
+        return this->IsFarFromOthers(corner, edges, direction, area);
+      }
+    }
+    return false;
+  }
+
   /// Looks at the triangles at a vertex.
   void VisitVertex(Index i)
   {
-    const auto& [V, T, cornersAt] = this->Surface;
-    const Vector3 here = V.row(i);
-    const Vector3 direction = this->X - here;
-    for (const Index corner : cornersAt[i])
+    const Vector3 direction = this->X - Vector3(this->Surface.V.row(i));
+    for (const Index corner : this->Surface.cornersAt[i])
     {
-      const Vector3 next = V.row(T.data()[NextCorner(corner)]);
-      const Vector3 previous = V.row(T.data()[PreviousCorner(corner)]);
-      // The weights of the corner, the next, and the previous one.
-      Vector3 weights(1, 0, 0);
-      if (direction.dot(next - here) > 0 || direction.dot(previous - here) > 0)
-      {
-        weights = ClosestBarycentricCoordinates(this->X, here, next, previous);
-      }
-      const Vector3 closest = here + weights[1] * (next - here) + weights[2] * (previous - here);
-      const double squared = (closest - this->X).squaredNorm();
-      if (squared < this->SquaredDistance)
-      {
-        this->SquaredDistance = squared;
-        this->Closest = corner / 3;
-        for (int k = 0; k < 3; ++k)
-        {
-          this->Weights[(corner + k) % 3] = weights[k];
-        }
-      }
+      this->Visit(corner, this->EdgesOf(i, corner), direction);
     }
   }
 
 private:
+  /// From a corner to the next and the previous one.
+  struct CornerEdges
+  {
+    Vector3 next;
+    Vector3 previous;
+  };
+
+  CornerEdges EdgesOf(Index i, Index corner) const
+  {
+    const auto& [V, T, cornersAt] = this->Surface;
+    return { V.row(T.data()[NextCorner(corner)]) - V.row(i),
+      V.row(T.data()[PreviousCorner(corner)]) - V.row(i) };
+  }
+
+  /// \param direction from the corner to x
+  void Visit(Index corner, const CornerEdges& edges, const Vector3& direction)
+  {
+    // The weights of the corner, the next, and the previous one.
+    Vector3 weights(1, 0, 0);
+    if (direction.dot(edges.next) > 0 || direction.dot(edges.previous) > 0)
+    {
+      weights =
+        ClosestBarycentricCoordinates(direction, Vector3::Zero(), edges.next, edges.previous);
+    }
+    this->Keep(corner, weights, edges, direction);
+  }
+
+  /// Keeps the place with these weights if it is the closest one so far.
+  void Keep(
+    Index corner, const Vector3& weights, const CornerEdges& edges, const Vector3& direction)
+  {
+    const Vector3 closest = weights[1] * edges.next + weights[2] * edges.previous;
+    const double squared = (closest - direction).squaredNorm();
+    if (squared < this->SquaredDistance)
+    {
+      this->SquaredDistance = squared;
+      this->Closest = corner / 3;
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Weights[(corner + k) % 3] = weights[k];
+      }
+    }
+  }
+
+  /// Looks at the triangles beside the one of the corner that is the closest so far.
+  /// \param area its square, times 4
+  bool IsFarFromOthers(
+    Index corner, const CornerEdges& edges, const Vector3& direction, double area)
+  {
+    const auto isFar = [&](double weight, const Vector3& edge)
+    { return weight * weight * area > this->SquaredDistance * edge.squaredNorm(); };
+    const double atCorner = this->Weights[corner % 3];
+    const double atNext = this->Weights[(corner + 1) % 3];
+    const double atPrevious = this->Weights[(corner + 2) % 3];
+    const double toCorner = (atNext * edges.next + atPrevious * edges.previous).squaredNorm();
+    if (!isFar(atCorner, edges.next - edges.previous) || toCorner <= this->SquaredDistance)
+    {
+      return false;
+    }
+    if (isFar(atNext, edges.previous) && isFar(atPrevious, edges.next))
+    {
+      return true;
+    }
+    const Index* corners = this->Surface.triangles.data();
+    const Index i = corners[corner];
+    for (const Index other : this->Surface.cornersAt[i])
+    {
+      if (corners[NextCorner(other)] == corners[PreviousCorner(corner)] ||
+          corners[PreviousCorner(other)] == corners[NextCorner(corner)])
+      {
+        this->Visit(other, this->EdgesOf(i, other), direction);
+      }
+    }
+    return this->Closest == corner / 3;
+  }
+
   const WalkableSurface Surface;
   const Vector3 X;
   Index Closest = -1;
@@ -69,6 +157,10 @@ SurfaceLocation WalkToClosestPoint(const WalkableSurface& surface, Index vertex,
   const AdjacencyLists& cornersAt = surface.cornersAt;
   SurfaceLocation location;
   ClosestTriangle closest(surface, x);
+  if (closest.VisitTriangleBelow(vertex))
+  {
+    return { closest.Get(), closest.GetWeights() };
+  }
   closest.VisitVertex(vertex);
   while (closest.Get() != location.triangle)
   {

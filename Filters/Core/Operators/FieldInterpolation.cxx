@@ -16,35 +16,20 @@ namespace lmo
 {
 namespace
 {
-/// So many fields are treated at once.
-constexpr Index BlockSize = 4;
-using Block = Eigen::Array<double, BlockSize, 1>;
+/// A value of each field.
+using FieldValues = Eigen::Array<double, 1, Fields::ColsAtCompileTime>;
 
-/// What a block of fields does around a vertex.
+/// What the fields do around a vertex.
 struct Neighbourhood
 {
-  std::array<Block, 3> gradient; ///< a component each
-  Block lowest;
-  Block highest;
+  std::array<FieldValues, 3> gradient; ///< a component each
+  FieldValues lowest;
+  FieldValues highest;
 };
 
 /// A value for each vertex, without any at first: several threads touch the memory first.
 template <typename Value>
 using PerVertex = std::unique_ptr<Value[]>;
-
-/// A block of fields at the vertices, with zeros for those that are not there.
-PerVertex<Block> BlockOf(const Fields& fields, Index first)
-{
-  const Index count = std::min<Index>(BlockSize, static_cast<Index>(fields.cols()) - first);
-  PerVertex<Block> values(new Block[fields.rows()]);
-  ParallelFor(static_cast<Index>(fields.rows()),
-    [&](Index i)
-    {
-      values[i].setZero();
-      values[i].head(count) = fields.row(i).segment(first, count).transpose().array();
-    });
-  return values;
-}
 
 /// The way from a vertex to a neighbour.
 struct Spoke
@@ -52,20 +37,21 @@ struct Spoke
   Index end = -1;
   Vector3 edge = Vector3::Zero();
   double squaredLength = 0;
-  Block difference = Block::Zero(); ///< of the fields
-  Vector3 factor = Vector3::Zero(); ///< times the difference, it is a term of the gradient
+  FieldValues difference = FieldValues::Zero();
+  FieldValues factor = FieldValues::Zero(); ///< times the edge, it is a term of the gradient
 };
 
 /// Goes around a vertex from triangle to triangle.
 class Surroundings
 {
 public:
-  Surroundings(const WalkableSurface& surface, const PerVertex<Block>& values, Index i)
+  Surroundings(const WalkableSurface& surface, const Fields& fields, Index i)
     : Surface(surface)
-    , Values(values)
+    , Values(fields)
     , Here(surface.V.row(i))
-    , AtVertex(values[i])
-    , Result{ { Block::Zero(), Block::Zero(), Block::Zero() }, values[i], values[i] }
+    , AtVertex(fields.row(i))
+    , Result{ { FieldValues::Zero(), FieldValues::Zero(), FieldValues::Zero() }, fields.row(i),
+      fields.row(i) }
   {
   }
 
@@ -80,16 +66,17 @@ public:
       next = this->SpokeTo(corners[NextCorner(corner)]);
     }
     Spoke previous = this->SpokeTo(corners[PreviousCorner(corner)]);
-    const Vector3 normal = next.edge.cross(previous.edge);
     const double squares = next.squaredLength * previous.squaredLength;
     if (squares * squares > std::numeric_limits<double>::min())
     {
       // The gradient of the linear interpolation times (sin(angle) / (product of the edges))^2.
+      const double product = next.edge.dot(previous.edge);
       const double inverse = 1 / (squares * squares);
-      const Vector3 scaled = inverse * normal;
-      this->Weights += inverse * normal.squaredNorm();
-      next.factor += previous.edge.cross(scaled);
-      previous.factor = scaled.cross(next.edge);
+      this->Weights += inverse * (squares - product * product);
+      next.factor += (inverse * previous.squaredLength) * next.difference -
+                     (inverse * product) * previous.difference;
+      previous.factor = (inverse * next.squaredLength) * previous.difference -
+                        (inverse * product) * next.difference;
     }
     this->AddTerm(next);
     this->Last = previous;
@@ -98,7 +85,7 @@ public:
   Neighbourhood Finish()
   {
     this->AddTerm(this->Last);
-    for (Block& component : this->Result.gradient)
+    for (FieldValues& component : this->Result.gradient)
     {
       component *= this->Weights > 0 ? 1 / this->Weights : 0;
     }
@@ -108,7 +95,7 @@ public:
 private:
   Spoke SpokeTo(Index j)
   {
-    const Block& values = this->Values[j];
+    const FieldValues values = this->Values.row(j);
     this->Result.lowest = this->Result.lowest.min(values);
     this->Result.highest = this->Result.highest.max(values);
     Spoke spoke;
@@ -123,22 +110,22 @@ private:
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      this->Result.gradient[axis] += spoke.factor[axis] * spoke.difference;
+      this->Result.gradient[axis] += spoke.edge[axis] * spoke.factor;
     }
   }
 
   const WalkableSurface& Surface;
-  const PerVertex<Block>& Values;
+  const Fields& Values;
   const Vector3 Here;
-  const Block AtVertex;
+  const FieldValues AtVertex;
   Spoke Last;
   double Weights = 0;
   Neighbourhood Result;
 };
 
-Neighbourhood Around(const WalkableSurface& surface, const PerVertex<Block>& values, Index i)
+Neighbourhood Around(const WalkableSurface& surface, const Fields& fields, Index i)
 {
-  Surroundings surroundings(surface, values, i);
+  Surroundings surroundings(surface, fields, i);
   for (const Index corner : surface.cornersAt[i])
   {
     surroundings.Add(corner);
@@ -146,22 +133,22 @@ Neighbourhood Around(const WalkableSurface& surface, const PerVertex<Block>& val
   return surroundings.Finish();
 }
 
-/// InterpolateSmoothly() of a block of fields.
-Block SmoothAt(const WalkableSurface& surface, const PerVertex<Block>& values,
+/// InterpolateSmoothly() at one location.
+FieldValues SmoothAt(const WalkableSurface& surface, const Fields& fields,
   const PerVertex<Neighbourhood>& around, const SurfaceLocation& location)
 {
   const TriangleCorners x = CornersOf(surface.V, surface.triangles, location.triangle);
   const Vector3 position = location.weights * x;
   const auto corners = surface.triangles.row(location.triangle);
   // What is added to the value at a corner vanishes exactly where the field is constant.
-  Block value = values[corners[0]];
-  value += location.weights[1] * (values[corners[1]] - values[corners[0]]) +
-           location.weights[2] * (values[corners[2]] - values[corners[0]]);
-  Block correction = Block::Zero();
-  Block fall = Block::Zero(); // to the weighted range
-  Block rise = Block::Zero();
-  Block lowest = around[corners[0]].lowest; // of all corners
-  Block highest = around[corners[0]].highest;
+  const FieldValues first = fields.row(corners[0]);
+  FieldValues value = first + location.weights[1] * (fields.row(corners[1]) - first) +
+                      location.weights[2] * (fields.row(corners[2]) - first);
+  FieldValues correction = FieldValues::Zero();
+  FieldValues fall = FieldValues::Zero(); // to the weighted range
+  FieldValues rise = FieldValues::Zero();
+  FieldValues lowest = around[corners[0]].lowest; // of all corners
+  FieldValues highest = around[corners[0]].highest;
   for (int k = 0; k < 3; ++k)
   {
     const Neighbourhood& corner = around[corners[k]];
@@ -182,11 +169,12 @@ Block SmoothAt(const WalkableSurface& surface, const PerVertex<Block>& values,
 Fields InterpolateLinearly(
   const Triangles& triangles, const Fields& fields, const std::vector<SurfaceLocation>& locations)
 {
-  Fields result = Fields::Zero(static_cast<Eigen::Index>(locations.size()), fields.cols());
+  Fields result(static_cast<Eigen::Index>(locations.size()), fields.cols());
   ParallelFor(static_cast<Index>(locations.size()),
     [&](Index i)
     {
-      if (locations[i].triangle >= 0 && fields.cols() > 0)
+      result.row(i).setZero();
+      if (locations[i].triangle >= 0)
       {
         const auto corners = triangles.row(locations[i].triangle);
         const auto first = fields.row(corners[0]);
@@ -200,25 +188,16 @@ Fields InterpolateLinearly(
 Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations)
 {
+  const PerVertex<Neighbourhood> around(new Neighbourhood[fields.rows()]);
+  ParallelFor(
+    static_cast<Index>(fields.rows()), [&](Index i) { around[i] = Around(surface, fields, i); });
   Fields result(static_cast<Eigen::Index>(locations.size()), fields.cols());
-  for (Index first = 0; first < static_cast<Index>(fields.cols()); first += BlockSize)
-  {
-    const Index count = std::min<Index>(BlockSize, static_cast<Index>(fields.cols()) - first);
-    const PerVertex<Block> values = BlockOf(fields, first);
-    const PerVertex<Neighbourhood> around(new Neighbourhood[fields.rows()]);
-    ParallelFor(
-      static_cast<Index>(fields.rows()), [&](Index i) { around[i] = Around(surface, values, i); });
-    ParallelFor(static_cast<Index>(locations.size()),
-      [&](Index i)
-      {
-        Block value = Block::Zero();
-        if (locations[i].triangle >= 0)
-        {
-          value = SmoothAt(surface, values, around, locations[i]);
-        }
-        result.row(i).segment(first, count) = value.head(count).transpose();
-      });
-  }
+  ParallelFor(static_cast<Index>(locations.size()),
+    [&](Index i)
+    {
+      result.row(i) = locations[i].triangle >= 0 ? SmoothAt(surface, fields, around, locations[i])
+                                                 : FieldValues(FieldValues::Zero());
+    });
   return result;
 }
 
@@ -227,6 +206,9 @@ Points MoveWithSurface(const WalkableSurface& before, const Points& after, const
   std::vector<SurfaceLocation> places(positions.rows());
   ParallelFor(static_cast<Index>(positions.rows()),
     [&](Index i) { places[i] = WalkToClosestPoint(before, i, positions.row(i)); });
-  return positions + InterpolateLinearly(before.triangles, after - before.V, places);
+  Fields displacements = Fields::Zero(after.rows(), int(Fields::ColsAtCompileTime));
+  displacements.leftCols<3>() = (after - before.V).array();
+  return positions +
+         InterpolateLinearly(before.triangles, displacements, places).leftCols<3>().matrix();
 }
 }

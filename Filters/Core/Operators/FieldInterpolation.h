@@ -8,8 +8,8 @@
 
 namespace lmo
 {
-/// A row for each vertex or location, a column for each field.
-using Fields = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+/// Up to four fields: a row for each vertex or location, a column for each field.
+using Fields = Eigen::Array<double, Eigen::Dynamic, 4, Eigen::RowMajor>;
 
 /// Fields at locations on a surface, by barycentric interpolation:
 ///   sum_k w_k f_k.
