@@ -33,12 +33,13 @@ double DistanceByBruteForce(const TestMesh& mesh, const Vector3& x)
 }
 
 /// The largest difference between the distances that the walk and brute force find, for points that
-/// lie up to \a displacement beside the vertices that the walk begins at.
-double WalkError(const TestMesh& mesh, double displacement)
+/// lie up to \a displacement beside the vertices, drawn together to \a scale, that the walk begins
+/// at.
+double WalkError(const TestMesh& mesh, double displacement, double scale = 1)
 {
   const auto size = static_cast<Index>(mesh.V.rows());
   const AdjacencyLists cornersAt = CornersAtVertices(size, mesh.T);
-  const Points moved = mesh.V + displacement * Random().Displacements(size);
+  const Points moved = scale * mesh.V + displacement * Random().Displacements(size);
   double error = 0;
   for (Index i = 0; i < size; ++i)
   {
@@ -81,6 +82,9 @@ int TestSurfaceWalk(int, char*[])
 {
   Checks c;
   c.Error("the walk finds the closest point of a sphere", WalkError(Icosphere(3), 0.1), 1e-14);
+  const TestMesh uneven = Irregular(Icosphere(2), 0.03);
+  c.Error("the walk finds the closest point of an uneven surface", WalkError(uneven, 0.05), 1e-14);
+  c.Error("so it does for points below the vertex", WalkError(uneven, 0.003, 0.97), 1e-14);
   c.Error(
     "the walk leads across many triangles of a flat square", WalkError(Grid(24, 0.3), 5), 1e-14);
   c.Error(

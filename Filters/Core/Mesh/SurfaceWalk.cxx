@@ -26,8 +26,8 @@ public:
   const Vector3& GetWeights() const { return this->Weights; }
 
   /// Looks at the triangle at a vertex over which x lies, and at those beside it.
-  /// \return true if x is closer to it than to all others but those that fold back over it by more
-  /// than 90 degrees: what borders on it elsewhere is farther from the closest point than x is.
+  /// \return true if x is closer to it than to the others at the vertex, but for those that fold
+  /// back over it by more than 90 degrees
   bool VisitTriangleBelow(Index i)
   {
     const Vector3 direction = this->X - Vector3(this->Surface.V.row(i));
@@ -119,14 +119,14 @@ private:
   {
     const auto isFar = [&](double weight, const Vector3& edge)
     { return weight * weight * area > this->SquaredDistance * edge.squaredNorm(); };
-    const double atCorner = this->Weights[corner % 3];
     const double atNext = this->Weights[(corner + 1) % 3];
     const double atPrevious = this->Weights[(corner + 2) % 3];
     const double toCorner = (atNext * edges.next + atPrevious * edges.previous).squaredNorm();
-    if (!isFar(atCorner, edges.next - edges.previous) || toCorner <= this->SquaredDistance)
+    if (toCorner <= this->SquaredDistance)
     {
       return false;
     }
+    // What is farther from the closest point than x cannot be closer to x.
     if (isFar(atNext, edges.previous) && isFar(atPrevious, edges.next))
     {
       return true;

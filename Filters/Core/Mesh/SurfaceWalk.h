@@ -25,7 +25,8 @@ struct SurfaceLocation
 /// Finds the point of a surface that is closest to \a x near one of its vertices: begins with the
 /// triangles at the vertex and, unless the closest point lies inside a triangle, goes on to those
 /// that share a vertex with the closest triangle, as long as the distance falls. Sheets of the
-/// surface that are not connected there are not reached.
+/// surface that are not connected there are not reached, and where the surface folds back by more
+/// than 90 degrees, the triangle below \a x may be taken instead of the closest one.
 /// \return no triangle if the vertex has none
 SurfaceLocation WalkToClosestPoint(const WalkableSurface& surface, Index vertex, const Vector3& x);
 }
