@@ -237,6 +237,42 @@ void CheckWhatHasNoVolume(Checks& c)
   c.Equal("a hole opens the labels on its two sides", count(holed, &allButOne), 2);
 }
 
+/// A prism whose points all lie on the rims of its two faces.
+TestMesh Drum(Index sides)
+{
+  TestMesh drum;
+  drum.V.resize(2 * sides, 3);
+  drum.T.resize(4 * sides - 4, 3);
+  for (Index i = 0; i < sides; ++i)
+  {
+    const double angle = 2 * EIGEN_PI * i / sides + 0.03 * std::sin(5.0 * i);
+    drum.V.row(2 * i) << std::cos(angle), std::sin(angle), -1;
+    drum.V.row(2 * i + 1) << std::cos(angle), std::sin(angle), 1;
+    const Index next = 2 * ((i + 1) % sides);
+    drum.T.row(2 * i) << 2 * i, next, next + 1;
+    drum.T.row(2 * i + 1) << 2 * i, next + 1, 2 * i + 1;
+    if (i > 0 && i < sides - 1)
+    {
+      drum.T.row(2 * sides + 2 * i - 2) << 0, next, 2 * i;
+      drum.T.row(2 * sides + 2 * i - 1) << 1, 2 * i + 1, next + 1;
+    }
+  }
+  return drum;
+}
+
+void CheckWhatCannotMove(Checks& c)
+{
+  OptimizerOptions options = Preserving();
+  options.featureConstraints = true;
+  const OptimizerResult still = Run(Cube(), options);
+  c.Equal("of a cube that cannot move the volume is preserved", still.unpreservedVolumes, 0);
+  const TestMesh drum = Drum(60);
+  const OptimizerResult slid = Run(drum, options);
+  c.Less("points that only slide along rims change the volume a little", 1e-6,
+    VolumeChange(drum, slid.positions));
+  c.Equal("that is counted", slid.unpreservedVolumes, 1);
+}
+
 void CheckFreeAxes(Checks& c)
 {
   const TestMesh sphere = Irregular(Icosphere(3), 0.05);
@@ -256,6 +292,7 @@ int TestVolumes(int argc, char* argv[])
   groups.Run("LabelsOfTriangles", CheckLabelsOfTriangles);
   groups.Run("LabelsOfFaces", CheckLabelsOfFaces);
   groups.Run("WhatHasNoVolume", CheckWhatHasNoVolume);
+  groups.Run("CannotMove", CheckWhatCannotMove);
   groups.Run("FreeAxes", CheckFreeAxes);
   return groups.Result();
 }

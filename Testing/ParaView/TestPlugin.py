@@ -10,13 +10,6 @@ from plugin_proxies import *
 from plugin_tables import *
 
 
-def half_sphere():
-    """Open, with point normals and the arrays `weight`, 0 to 1, and `upper`, 0 or 1."""
-    sphere = Sphere(ThetaResolution=20, PhiResolution=14, EndTheta=180)
-    weight = Calculator(Input=sphere, Function="coordsZ + 0.5", ResultArrayName="weight")
-    return Calculator(Input=weight, Function="coordsZ > 0.2", ResultArrayName="upper")
-
-
 class Proxies(unittest.TestCase):
     def test_every_property_is_an_attribute(self):
         for name, properties in PROPERTIES.items():

@@ -26,6 +26,13 @@ def prototype(name):
     return servermanager.ProxyManager().GetPrototypeProxy("filters", name)
 
 
+def half_sphere():
+    """Open, with point normals and the arrays `weight`, 0 to 1, and `upper`, 0 or 1."""
+    sphere = Sphere(ThetaResolution=20, PhiResolution=14, EndTheta=180)
+    weight = Calculator(Input=sphere, Function="coordsZ + 0.5", ResultArrayName="weight")
+    return Calculator(Input=weight, Function="coordsZ > 0.2", ResultArrayName="upper")
+
+
 def fetched(proxy):
     return servermanager.Fetch(proxy)
 

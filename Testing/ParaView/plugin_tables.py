@@ -133,6 +133,7 @@ PRESETS = [
             "Mode": "Smooth",
             "PositionWeighting": "Constant",
             "ScaleFactor": 0.2,
+            "FeatureConstraints": 1,
             "PreserveVolume": 1,
             "Twicing": 1,
         },

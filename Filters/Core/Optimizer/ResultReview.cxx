@@ -256,9 +256,10 @@ std::string WarnOfUnpreserved(Index volumes)
   return volumes == 0
            ? std::string()
            : "The volume of " + Counted(volumes, "component or label", "components or labels") +
-               " is not preserved: the triangles are not closed, differ in their orientation, or "
-               "enclose nothing. Fill holes with vtkFillHolesFilter, orient the triangles with "
-               "vtkPolyDataNormals (ConsistencyOn), or switch PreserveVolume off.";
+               " is not preserved: the triangles are not closed, differ in their orientation, "
+               "enclose nothing, or have no point that may move freely. Fill holes with "
+               "vtkFillHolesFilter, orient the triangles with vtkPolyDataNormals (ConsistencyOn), "
+               "or switch PreserveVolume off.";
 }
 
 std::vector<std::string> WarnOfDamage(

@@ -111,15 +111,22 @@ public:
     , Regions(regions)
     , Target(MeasureVolumes(V, triangles, regions))
     , Offsets(moved, triangles, topology, regions, constraints)
+    , CanMove(regions.count, false)
   {
+    for (const Index region : this->Offsets.regionsAt.ids)
+    {
+      this->CanMove[region] = true;
+    }
   }
 
-  Index CountWithoutVolume() const
+  /// How many regions have another volume than they should have, or none.
+  Index CountUnpreserved(const Points& moved) const
   {
+    const Vector change = this->Change(moved);
     Index count = 0;
     for (Index k = 0; k < this->Regions.count; ++k)
     {
-      count += !this->Target.IsSignificant(k);
+      count += !this->Target.IsSignificant(k) || change[k] != 0;
     }
     return count;
   }
@@ -143,15 +150,29 @@ public:
   }
 
 private:
-  /// What is missing from the volume of each region; 0 for what is round-off.
-  Vector Missing(const Points& V) const
+  /// What the volume of each region lacks; 0 for what is round-off.
+  Vector Change(const Points& V) const
   {
-    Vector missing = this->Target.volume - MeasureVolumes(V, this->T, this->Regions).volume;
+    Vector change = this->Target.volume - MeasureVolumes(V, this->T, this->Regions).volume;
     for (Index k = 0; k < this->Regions.count; ++k)
     {
       const double allowed =
         Tolerance * std::abs(this->Target.volume[k]) + RoundOff * this->Target.magnitude[k];
-      if (!this->Target.IsSignificant(k) || std::abs(missing[k]) <= allowed)
+      if (!this->Target.IsSignificant(k) || std::abs(change[k]) <= allowed)
+      {
+        change[k] = 0;
+      }
+    }
+    return change;
+  }
+
+  /// Change() of the regions that offsets change.
+  Vector Missing(const Points& V) const
+  {
+    Vector missing = this->Change(V);
+    for (Index k = 0; k < this->Regions.count; ++k)
+    {
+      if (!this->CanMove[k])
       {
         missing[k] = 0;
       }
@@ -225,6 +246,7 @@ private:
   const EnclosedRegions& Regions;
   const RegionVolumes Target;
   const OffsetDirections Offsets;
+  Mask CanMove; ///< a vertex of the region may move freely
 };
 }
 
@@ -233,6 +255,6 @@ Index RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopo
 {
   const Restoration restoration(V, triangles, topology, regions, constraints, moved);
   restoration.Run(moved);
-  return restoration.CountWithoutVolume();
+  return restoration.CountUnpreserved(moved);
 }
 }

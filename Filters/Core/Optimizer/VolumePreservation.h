@@ -13,7 +13,8 @@ namespace lmo
 ///   sum_k h_k g_k / max_k |g_k|,
 /// where g_k is the gradient of the volume of region k: along its normal on the surface of one
 /// region, by the difference of two offsets between two regions. Newton's method finds the h_k.
-/// \return how many of the regions have no volume in \a V but round-off
+/// \return how many regions have no volume in \a V but round-off, or another one in \a moved since
+/// none of their vertices may move freely
 /// \throw SolverError if there are no such offsets
 Index RestoreVolumes(const Points& V, const Triangles& triangles, const MeshTopology& topology,
   const EnclosedRegions& regions, const DisplacementConstraints& constraints, Points& moved);
