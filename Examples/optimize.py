@@ -47,7 +47,7 @@ PRESETS = {
     'cad-model': ImproveTriangleQualitynoRemeshCAD,
     'denoise': SmoothandFair,
     'denoise-cad': SmoothandFairCAD,
-    'remove-noise': RemoveNoise,
+    'remove-noise': DenoiseSurface,
     'remove-noise-cad': RemoveNoiseCAD,
     'paper-cad-model': ImproveTriangleQualityPaperCAD,
     'paper-denoise-cad': SmoothandFairPaperCAD,

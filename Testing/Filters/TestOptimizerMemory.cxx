@@ -37,7 +37,9 @@ void Execute(Optimizer* filter, vtkPolyData* input, int first, int count)
     filter->SetScaleFactor(0.1 + 0.01 * (k % 13));
     if (k % 10 == 0)
     {
-      input->GetPoints()->Modified();
+      Vector3 point;
+      input->GetPoint(0, point.data());
+      input->GetPoints()->SetPoint(0, Vector3((1 + 1e-9) * point).data());
       input->Modified();
     }
     filter->Update();
