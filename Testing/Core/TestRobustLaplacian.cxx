@@ -228,6 +228,17 @@ void CheckKnownOperators(Checks& c)
 }
 
 /// Each of three wings gives its own cotangents, as it does to Eqn. 4.
+/// Four triangles at one edge, two of them obtuse.
+TestMesh FourWings()
+{
+  TestMesh wings;
+  wings.V.resize(6, 3);
+  wings.V << 0, 0, 0, 1, 0, 0, 0.5, 0.2, 0, 0.5, 0, 0.9, 0.4, -0.25, 0, 0.5, 0, -0.8;
+  wings.T.resize(4, 3);
+  wings.T << 0, 1, 2, 0, 1, 3, 0, 1, 4, 0, 1, 5;
+  return wings;
+}
+
 void CheckNonManifold(Checks& c)
 {
   TestMesh fan = ThreeWings();
@@ -243,6 +254,13 @@ void CheckNonManifold(Checks& c)
   c.Error("neither order nor orientation of the triangles matters",
     LargestMagnitude(DenseMatrix(RobustOperators(fan).cotangent) -
                      DenseMatrix(RobustOperators(shuffled).cotangent)),
+    1e-12);
+  const TestMesh wings = FourWings();
+  TestMesh crossed = wings;
+  crossed.T.row(1).swap(crossed.T.row(2));
+  c.Error("nor does the order of four triangles around an edge",
+    LargestMagnitude(DenseMatrix(RobustOperators(wings).cotangent) -
+                     DenseMatrix(RobustOperators(crossed).cotangent)),
     1e-12);
 }
 
