@@ -7,11 +7,14 @@
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
 #include "vtkIdList.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSelection.h"
+#include "vtkSelectionNode.h"
 #include "vtkStringArray.h"
 #include "vtkTestErrorObserver.h"
 
@@ -277,6 +280,30 @@ Messages Update(vtkAlgorithm* filter)
   }
   filter->GetExecutive()->RemoveObserver(tag);
   return observer->Heard;
+}
+
+vtkSmartPointer<vtkSelectionNode> SelectionNode(int fieldType, const std::set<vtkIdType>& ids)
+{
+  vtkNew<vtkIdTypeArray> list;
+  for (const vtkIdType id : ids)
+  {
+    list->InsertNextValue(id);
+  }
+  auto node = vtkSmartPointer<vtkSelectionNode>::New();
+  node->SetFieldType(fieldType);
+  node->SetContentType(vtkSelectionNode::INDICES);
+  node->SetSelectionList(list);
+  return node;
+}
+
+vtkSmartPointer<vtkSelection> Selection(const std::vector<vtkSmartPointer<vtkSelectionNode>>& nodes)
+{
+  auto selection = vtkSmartPointer<vtkSelection>::New();
+  for (const auto& node : nodes)
+  {
+    selection->AddNode(node);
+  }
+  return selection;
 }
 
 vtkSmartPointer<vtkPolyData> Optimized(

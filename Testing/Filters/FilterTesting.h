@@ -9,7 +9,9 @@
 #include "vtkType.h"
 
 #include <functional>
+#include <set>
 #include <string>
+#include <vector>
 
 class vtkAlgorithm;
 class vtkCellArray;
@@ -18,6 +20,8 @@ class vtkFieldData;
 class vtkLaplacianMeshOptimizer;
 class vtkPolyData;
 class vtkPolyDataAlgorithm;
+class vtkSelection;
+class vtkSelectionNode;
 
 /// The mesh as polygons.
 /// \param pointType VTK_DOUBLE or VTK_FLOAT
@@ -63,6 +67,12 @@ struct Messages
   std::string warnings;
 };
 Messages Update(vtkAlgorithm* filter);
+
+/// \param fieldType vtkSelectionNode::POINT or CELL
+vtkSmartPointer<vtkSelectionNode> SelectionNode(int fieldType, const std::set<vtkIdType>& ids);
+
+vtkSmartPointer<vtkSelection> Selection(
+  const std::vector<vtkSmartPointer<vtkSelectionNode>>& nodes);
 
 /// Output of a new vtkLaplacianMeshOptimizer, in mode OPTIMIZE_TRIANGLES unless setUp() chooses
 /// another one.

@@ -6,7 +6,6 @@
 #include "FilterTesting.h"
 #include "MeshMeasures.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkMultiBlockDataSet.h"
@@ -77,21 +76,11 @@ void CheckMetrics(Checks& c)
 }
 
 /// The points of one block, by its flat index.
-vtkSmartPointer<vtkSelection> PointsOfBlock(int flatIndex, const std::vector<vtkIdType>& ids)
+vtkSmartPointer<vtkSelection> PointsOfBlock(int flatIndex, const std::set<vtkIdType>& ids)
 {
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(list);
+  const auto node = SelectionNode(vtkSelectionNode::POINT, ids);
   node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), flatIndex);
-  auto selection = vtkSmartPointer<vtkSelection>::New();
-  selection->AddNode(node);
-  return selection;
+  return Selection({ node });
 }
 
 /// Rows that differ.

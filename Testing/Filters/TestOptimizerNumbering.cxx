@@ -7,7 +7,6 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -192,18 +191,12 @@ void CheckArrays(Checks& c, const Sheet& sheet)
       filter->SetPositionWeighting(Optimizer::ANCHORS);
       ChooseArray(filter, Optimizer::POSITION_WEIGHT_ARRAY, "anchors");
       ChooseArray(filter, Optimizer::PRESCRIBED_LAPLACIAN_ARRAY, "f");
-      vtkNew<vtkIdTypeArray> ids;
+      std::set<vtkIdType> ids;
       for (std::size_t i = 0; i < place.size(); i += 3)
       {
-        ids->InsertNextValue(place[i]);
+        ids.insert(place[i]);
       }
-      vtkNew<vtkSelectionNode> node;
-      node->SetFieldType(vtkSelectionNode::POINT);
-      node->SetContentType(vtkSelectionNode::INDICES);
-      node->SetSelectionList(ids);
-      vtkNew<vtkSelection> selection;
-      selection->AddNode(node);
-      filter->SetSelectionData(selection);
+      filter->SetSelectionData(Selection({ SelectionNode(vtkSelectionNode::POINT, ids) }));
     });
 }
 

@@ -4,7 +4,6 @@
 #include "FilterTesting.h"
 #include "MeshMeasures.h"
 
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkNew.h"
@@ -24,31 +23,6 @@ using Ids = std::set<vtkIdType>;
 TestMesh Mesh()
 {
   return Irregular(Icosphere(2), 0.05);
-}
-
-/// \param fieldType vtkSelectionNode::POINT or CELL
-vtkSmartPointer<vtkSelectionNode> Node(int fieldType, const Ids& ids)
-{
-  vtkNew<vtkIdTypeArray> list;
-  for (const vtkIdType id : ids)
-  {
-    list->InsertNextValue(id);
-  }
-  auto node = vtkSmartPointer<vtkSelectionNode>::New();
-  node->SetFieldType(fieldType);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(list);
-  return node;
-}
-
-vtkSmartPointer<vtkSelection> Selection(const std::vector<vtkSmartPointer<vtkSelectionNode>>& nodes)
-{
-  auto selection = vtkSmartPointer<vtkSelection>::New();
-  for (const auto& node : nodes)
-  {
-    selection->AddNode(node);
-  }
-  return selection;
 }
 
 /// Smoothes so that all points move that may.
@@ -101,7 +75,7 @@ Ids AllBut(const Ids& ids)
 void CheckUses(Checks& c)
 {
   const Ids ids = { 0, 7, 160 };
-  const auto selection = Selection({ Node(vtkSelectionNode::POINT, ids) });
+  const auto selection = Selection({ SelectionNode(vtkSelectionNode::POINT, ids) });
   const auto nothing = Selection({});
   const int stay = Optimizer::SELECTED_POINTS_STAY;
   const int move = Optimizer::ONLY_SELECTED_POINTS_MOVE;
@@ -118,21 +92,21 @@ void CheckKinds(Checks& c)
   const TestMesh mesh = Mesh();
   const auto corners = [&](vtkIdType t) { return Ids{ mesh.T(t, 0), mesh.T(t, 1), mesh.T(t, 2) }; };
   c.Equal("a cell stands for its points",
-    Moved(Selection({ Node(vtkSelectionNode::CELL, { 33 }) })), corners(33));
+    Moved(Selection({ SelectionNode(vtkSelectionNode::CELL, { 33 }) })), corners(33));
 
   Ids points = corners(33);
   points.insert(5);
   c.Equal("nodes add up",
-    Moved(Selection(
-      { Node(vtkSelectionNode::POINT, corners(33)), Node(vtkSelectionNode::POINT, { 5 }) })),
+    Moved(Selection({ SelectionNode(vtkSelectionNode::POINT, corners(33)),
+      SelectionNode(vtkSelectionNode::POINT, { 5 }) })),
     points);
 
-  const auto others = Node(vtkSelectionNode::POINT, { 5 });
+  const auto others = SelectionNode(vtkSelectionNode::POINT, { 5 });
   others->GetProperties()->Set(vtkSelectionNode::INVERSE(), 1);
   c.Equal("a selection can be inverse", Moved(Selection({ others })), AllBut({ 5 }));
 
   const auto strip =
-    Smoothed(MakeMixedPolyData(), Selection({ Node(vtkSelectionNode::CELL, { 147 }) }),
+    Smoothed(MakeMixedPolyData(), Selection({ SelectionNode(vtkSelectionNode::CELL, { 147 }) }),
       [](Optimizer* filter)
       {
         filter->SetSelectionUse(Optimizer::ONLY_SELECTED_POINTS_MOVE);
@@ -156,12 +130,12 @@ void CheckFixedPointArray(Checks& c)
   const auto choose = [](Optimizer* filter)
   { filter->SetInputArrayToProcess(Optimizer::FIXED_POINT_ARRAY, 0, 0, 0, "marks"); };
   const auto byArray = Smoothed(input, nullptr, choose);
-  const auto bySelection =
-    Smoothed(input, Selection({ Node(vtkSelectionNode::POINT, { 7, 9 }) }), [](Optimizer*) {});
+  const auto bySelection = Smoothed(
+    input, Selection({ SelectionNode(vtkSelectionNode::POINT, { 7, 9 }) }), [](Optimizer*) {});
   c.Error("a selection does what an array does",
     MaximumDistance(PointsOf(byArray), PointsOf(bySelection)), 0);
   const auto byBoth =
-    Smoothed(input, Selection({ Node(vtkSelectionNode::POINT, { 8, 9 }) }), choose);
+    Smoothed(input, Selection({ SelectionNode(vtkSelectionNode::POINT, { 8, 9 }) }), choose);
   c.Equal(
     "points of the array and of the selection stay", MovedPoints(byBoth), AllBut({ 7, 8, 9 }));
 }
@@ -176,7 +150,7 @@ void CheckRefusals(Checks& c)
     const std::string errors = Update(filter).errors;
     return IsEmpty(filter->GetOutput()) ? errors : "";
   };
-  const auto ofBlock = Node(vtkSelectionNode::POINT, { 1 });
+  const auto ofBlock = SelectionNode(vtkSelectionNode::POINT, { 1 });
   ofBlock->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2);
   c.Says("a selection in a block is refused with a remedy", error(Selection({ ofBlock })),
     "extract the block");
@@ -185,8 +159,8 @@ void CheckRefusals(Checks& c)
   query->SetContentType(vtkSelectionNode::QUERY);
   query->SetQueryString("id < 4");
   c.Says("a query is refused with a remedy", error(Selection({ query.Get() })), "Freeze");
-  const auto mixed =
-    Selection({ Node(vtkSelectionNode::POINT, { 1 }), Node(vtkSelectionNode::CELL, { 1 }) });
+  const auto mixed = Selection({ SelectionNode(vtkSelectionNode::POINT, { 1 }),
+    SelectionNode(vtkSelectionNode::CELL, { 1 }) });
   c.Says("a mixture of points and cells is refused with a remedy", error(mixed), "alone");
 }
 }

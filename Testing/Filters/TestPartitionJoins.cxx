@@ -208,15 +208,9 @@ void CheckSelection(Checks& c)
     ++point;
   }
   const Index selected = mesh.points[1][point];
-  vtkNew<vtkIdTypeArray> ids;
-  ids->InsertNextValue(point);
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(ids);
+  const auto node = SelectionNode(vtkSelectionNode::POINT, { point });
   node->GetProperties()->Set(vtkSelectionNode::COMPOSITE_INDEX(), 2); // the set is 0
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = Selection({ node });
   const auto output = OptimizedPartitions(mesh.data,
     [&](Optimizer* filter)
     {

@@ -77,14 +77,7 @@ void CheckGrid(Checks& c)
 
 void CheckSelection(Checks& c)
 {
-  vtkNew<vtkIdTypeArray> list;
-  list->InsertNextValue(17);
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(list);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = Selection({ SelectionNode(vtkSelectionNode::POINT, { 17 }) });
   vtkNew<Optimizer> filter;
   filter->SetMode(Optimizer::SMOOTH);
   filter->SetInputData(AsGrid(Mesh()));

@@ -9,7 +9,6 @@
 #include "vtkCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkPolyData.h"
 #include "vtkSelection.h"
@@ -248,14 +247,7 @@ void CheckSelection(MpiJob& job, Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(3), 0.02);
   const auto piece = TakePiece(MakePolyData(mesh), Sectors(mesh), job.Rank(), job.Size()).surface;
-  vtkNew<vtkIdTypeArray> ids;
-  ids->InsertNextValue(5);
-  vtkNew<vtkSelectionNode> node;
-  node->SetFieldType(vtkSelectionNode::POINT);
-  node->SetContentType(vtkSelectionNode::INDICES);
-  node->SetSelectionList(ids);
-  vtkNew<vtkSelection> selection;
-  selection->AddNode(node);
+  const auto selection = Selection({ SelectionNode(vtkSelectionNode::POINT, { 5 }) });
   const auto shifts = [&](int use)
   {
     const auto output = Optimized(piece,

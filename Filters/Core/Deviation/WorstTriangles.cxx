@@ -13,7 +13,6 @@ namespace lmo
 {
 namespace
 {
-constexpr double FirstGoal = 0.45; ///< of t, for all triangles
 constexpr double GoalStep = 0.02;  ///< above the least t, as long as that rises
 constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
 constexpr int MostSweeps = 10;     ///< for one goal
@@ -319,7 +318,7 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   const PlaceVertex& place, ProgressMonitor& monitor)
 {
   Search search(guard, triangles, topology, constraints, place);
-  search.Raise(FirstGoal, OfMany, monitor);
+  search.Raise(BadQuality, OfMany, monitor);
   double before = 0;
   for (double least = search.GetLeast(); before < least && least < 1; least = search.GetLeast())
   {

@@ -11,15 +11,18 @@
 
 namespace lmo
 {
+/// Triangles with a smaller t are bad.
+constexpr double BadQuality = 0.45;
+
 /// Where a vertex comes to lie that is asked to move to a point: on its feature line, for instance.
 using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 
 /// Moves single vertices where that raises the minimum of t around them and the guard accepts it:
-/// first those of all triangles with t < 0.45, then those of the worst ones, as long as the least t
-/// rises. What the least-squares problem cannot do, since it knows averages. Each vertex goes where
+/// first those of all bad triangles, then those of the worst ones, as long as the least t rises.
+/// What the least-squares problem cannot do, since it knows averages. Each vertex goes where
 /// StarSearch finds the greatest minimum, in the directions that \a constraints allows; up to t =
 /// 0.5 it is lifted off its tangent plane where nothing else helps. t_mean falls by 0.002 at most.
-/// The effort of proofs is limited to four times that which the guard has spent before, with 60,000
+/// The effort of proofs is limited to 2.25 times that which the guard has spent before, with 60,000
 /// more.
 /// \throw Cancelled if the monitor says so; the guard has accepted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,

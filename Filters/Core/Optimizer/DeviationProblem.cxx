@@ -4,6 +4,7 @@
 
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/SurfaceComparison.h"
+#include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/FieldInterpolation.h"
 
@@ -17,7 +18,6 @@ namespace
 {
 constexpr double PositionScale = 0.05; ///< s
 constexpr double LeastPositionWeight = 1e-4;
-constexpr double BadQuality = 0.45;
 constexpr double GoodQuality = 0.5; ///< t from which a vertex has its full weight
 
 /// Vertices of high valence and their neighbours stay: thousands of triangles that meet in a point

@@ -45,7 +45,7 @@ double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, c
 /// Number of vertices that may move and have a share below 1 of their displacement.
 Index CountReduced(const Vector& shares, const DisplacementConstraints& constraints);
 
-/// Number of triangles with t < 0.45 of which no corner may move.
+/// Number of bad triangles of which no corner may move.
 Index CountPinnedBad(const Triangles& triangles, const Vector& triangleQuality,
   const DisplacementConstraints& constraints);
 

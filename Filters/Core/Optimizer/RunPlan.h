@@ -43,7 +43,7 @@ struct DeviationReport
   double bound = 0;         ///< the Hausdorff distance of result and reference is at most that
   double relativeBound = 0; ///< the same, divided by the diagonal of the bounding box
   double gain = 0;          ///< EarlierStep::gain for the next step
-  Index pinnedBad = 0;      ///< triangles with t < 0.45 of which no corner may move
+  Index pinnedBad = 0;      ///< bad triangles of which no corner may move
   Index beyond = 0; ///< triangles of mesh and reference that began farther away than allowed
 };
 
