@@ -143,11 +143,21 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
   this->WriteCellNormals(output);
 }
 
-bool vtkLaplacianMeshOptimizer::Session::InterpolatesPointData() const
+bool vtkLaplacianMeshOptimizer::Session::CanInterpolatePointData() const
+{
+  return true;
+}
+
+bool vtkLaplacianMeshOptimizer::Session::WantsInterpolation() const
 {
   const int mode = this->Filter->Mode;
   return this->Filter->InterpolatePointData &&
          (mode == OPTIMIZE_WITHIN_DEVIATION || mode == OPTIMIZE_TRIANGLES);
+}
+
+bool vtkLaplacianMeshOptimizer::Session::InterpolatesPointData() const
+{
+  return this->WantsInterpolation() && this->CanInterpolatePointData();
 }
 
 void vtkLaplacianMeshOptimizer::Session::WritePointData(
@@ -162,8 +172,16 @@ void vtkLaplacianMeshOptimizer::Session::WritePointData(
   {
     pointData->ShallowCopy(lmo::InterpolatePointData(
       input, this->Optimizer->GetMesh(), this->Numbering, result.positions));
+    return;
   }
-  else if (result.normals.rows() > 0)
+  if (this->WantsInterpolation() && lmo::HasDataOfPlaces(pointData))
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The point data stay with their points, which have slid along the surface: in several "
+      "processes, OPTIMIZE_TRIANGLES does not interpolate them. Choose Mode "
+      "OPTIMIZE_WITHIN_DEVIATION, which does, or switch InterpolatePointData off.");
+  }
+  if (result.normals.rows() > 0)
   {
     pointData->SetNormals(lmo::ReplaceNormals(
       normals, this->Numbering.HasMergedPoints()

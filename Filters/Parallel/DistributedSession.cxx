@@ -148,10 +148,10 @@ std::unique_ptr<lmo::ProgressMonitor> vtkPLaplacianMeshOptimizer::DistributedSes
   return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
 }
 
-bool vtkPLaplacianMeshOptimizer::DistributedSession::InterpolatesPointData() const
+bool vtkPLaplacianMeshOptimizer::DistributedSession::CanInterpolatePointData() const
 {
   // New places may lie on the pieces of other processes.
-  return !this->IsDistributed() && this->Session::InterpolatesPointData();
+  return !this->IsDistributed();
 }
 
 std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::FindBlocks(

@@ -30,7 +30,7 @@ protected:
   void CheckPieces(int pieces) const override;
   void Try(const std::function<void()>& body) const override;
   std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const override;
-  bool InterpolatesPointData() const override;
+  bool CanInterpolatePointData() const override;
 
   /// The surfaces of which any process has a part.
   std::vector<lmo::SurfaceBlock> FindBlocks(vtkDataObject* data) const override;

@@ -94,8 +94,8 @@ protected:
   /// Optimize() with the pieces of this process as the input of one optimizer.
   lmo::SurfacePieces OptimizeJoined(const Job& job, lmo::Joining joining);
 
-  /// True if points take the point data of their new places on the input.
-  virtual bool InterpolatesPointData() const;
+  /// True if the whole surface is there on which points find the data of their new places.
+  virtual bool CanInterpolatePointData() const;
 
   /// Makes the optimizer of the input, unless the one that is there is that of the same mesh:
   /// ParaView touches the input before each execution, so that it seems new.
@@ -167,6 +167,12 @@ private:
   /// \return null if there is none
   /// \throw InputError if it has no triangles, and as lmo::ReadMesh() does.
   std::shared_ptr<const lmo::MeshQuantities> ReadReference(const Whole& reference);
+
+  /// True if points slide along the surface and should take the point data of their new places.
+  bool WantsInterpolation() const;
+
+  /// True if they do.
+  bool InterpolatesPointData() const;
 
   /// The steps of a surface, if the filter is to start from the previous one; else null.
   TimeSteps* StepsOf(const Job& job);

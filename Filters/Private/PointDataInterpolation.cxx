@@ -35,10 +35,9 @@ bool HaveSameValues(vtkDataArray* array, Index i, Index j)
   return isSame;
 }
 
-/// For each point the first point of the same vertex that is on the same side of all seams.
-std::vector<Index> FirstPointsOfSides(vtkPointData* data, const MeshNumbering& numbering)
+/// The interpolated arrays but the normals.
+std::vector<vtkDataArray*> InterpolatedArrays(vtkPointData* data)
 {
-  const auto size = static_cast<Index>(numbering.GetNumberOfPoints());
   std::vector<vtkDataArray*> arrays;
   for (int k = 0; k < data->GetNumberOfArrays(); ++k)
   {
@@ -48,6 +47,14 @@ std::vector<Index> FirstPointsOfSides(vtkPointData* data, const MeshNumbering& n
       arrays.push_back(vtkDataArray::FastDownCast(array));
     }
   }
+  return arrays;
+}
+
+/// For each point the first point of the same vertex that is on the same side of all seams.
+std::vector<Index> FirstPointsOfSides(vtkPointData* data, const MeshNumbering& numbering)
+{
+  const auto size = static_cast<Index>(numbering.GetNumberOfPoints());
+  const std::vector<vtkDataArray*> arrays = InterpolatedArrays(data);
   std::vector<Index> first(size);
   std::iota(first.begin(), first.end(), Index(0));
   std::unordered_map<Index, std::vector<Index>> sides; // the first points of each vertex
@@ -206,6 +213,11 @@ vtkSmartPointer<vtkPointData> TransferAll(vtkPointData* data, const WalkableSurf
   }
   return result;
 }
+}
+
+bool HasDataOfPlaces(vtkPointData* data)
+{
+  return !InterpolatedArrays(data).empty();
 }
 
 vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,

@@ -30,6 +30,9 @@ class MeshQuantities;
 vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,
   const MeshNumbering& numbering, const Points& positions);
 
+/// True if there are interpolated arrays beside the normals, which can be computed anew.
+bool HasDataOfPlaces(vtkPointData* data);
+
 /// The point data of a surface with triangles at those of its points that are closest to the
 /// positions, interpolated likewise; without ids and ghost flags.
 /// \param positions a row per point of the output

@@ -94,6 +94,24 @@ void CheckNormals(MpiJob& job, Checks& c)
     DifferenceOf(job, normals->GetOutput(), Sectors(mesh)), 1e-6);
 }
 
+void CheckPointData(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Irregular(Icosphere(3), 0.02);
+  const auto surface = MakePolyData(mesh);
+  AddPointArray(surface, "field", mesh.V.col(0));
+  const auto piece = TakePiece(surface, Sectors(mesh), job.Rank(), job.Size()).surface;
+  vtkNew<Optimizer> filter;
+  filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
+  filter->SetInputData(piece);
+  const auto isSaid = [&] {
+    return Update(filter).warnings.find("point data stay with their points") != std::string::npos;
+  };
+  c.Error("a warning says that point data are not interpolated",
+    job.Largest(isSaid() != (job.Size() > 1)), 0);
+  filter->InterpolatePointDataOff();
+  c.Error("unless nobody wants that", job.Largest(isSaid()), 0);
+}
+
 void CheckEmpty(MpiJob& job, Checks& c)
 {
   vtkNew<vtkPolyData> nothing;
@@ -166,6 +184,7 @@ int TestDistributedInput(int argc, char* argv[])
   CheckMeshes(job, c);
   CheckCoincidentPoints(job, c);
   CheckNormals(job, c);
+  CheckPointData(job, c);
   CheckEmpty(job, c);
   CheckGhosts(job, c);
   CheckSecondExecution(job, c);
