@@ -132,16 +132,23 @@ TestMesh Reversed(TestMesh mesh)
   return mesh;
 }
 
-/// Two layers of a bumpy square with a gap between them, and irregular triangles.
-TestMesh Layers(int cells, double height, double frequency, double gap)
+/// Makes a square in the plane bumpy.
+TestMesh Bumpy(TestMesh layer, double height, double frequency)
 {
-  TestMesh layer = Grid(cells, 0.3);
-  layer.V /= cells;
   for (Eigen::Index i = 0; i < layer.V.rows(); ++i)
   {
     layer.V(i, 2) =
       height * std::sin(frequency * layer.V(i, 0)) * std::cos(frequency * layer.V(i, 1));
   }
+  return layer;
+}
+
+/// Two layers of a bumpy square with a gap between them, and irregular triangles.
+TestMesh Layers(int cells, double height, double frequency, double gap)
+{
+  TestMesh layer = Grid(cells, 0.3);
+  layer.V /= cells;
+  layer = Bumpy(layer, height, frequency);
   return Joined(layer, Reversed(Transformed(layer, 1, { 0, 0, gap })));
 }
 
@@ -233,6 +240,32 @@ void CheckRandomMeshes(Checks& c)
   c.Greater("some of these meet themselves in the input", crossing, 20 / Thinning);
 }
 
+/// Two layers with folded triangles: such triangles have to stay or go back, and then others must
+/// not be in their place.
+void CheckFoldedLayers(Checks& c)
+{
+  std::size_t added = 0;
+  for (unsigned seed = 225; seed <= 265; seed += Thinning)
+  {
+    Seeded seeded(seed);
+    OptimizerOptions options;
+    options.deviation.maximum = std::pow(10, seeded.Number(-3, -1.7));
+    options.deviation.improveWorstTriangles = false;
+    options.detectFeatures = seeded.Take(2);
+    options.boundaryCondition = static_cast<BoundaryCondition>(seeded.Take(3));
+    TestMesh layer = Grid(12, 0.5);
+    layer.V = (layer.V + 0.1 * seeded.Vectors(layer.V.rows())) / 12;
+    const double height = seeded.Number(0, 0.03);
+    layer = Bumpy(layer, height, seeded.Number(5, 60));
+    const double gap = seeded.Number(0.1, 2) * 1.4 * options.deviation.maximum;
+    const TestMesh layers = Joined(layer, Transformed(layer, 1, { 0, 0, gap }));
+    ProgressMonitor monitor;
+    const OptimizerResult result = Optimize(layers.V, layers.T, options, {}, monitor);
+    added += CountNewCrossings(layers, { result.positions, layers.T });
+  }
+  c.Equal("no new pair meets in layers with folded triangles", added, 0u);
+}
+
 void CheckReport(Checks& c)
 {
   const TestMesh sphere = Icosphere(2);
@@ -274,6 +307,7 @@ int TestSelfIntersections(int argc, char* argv[])
   groups.Run("ThinWalls", CheckThinWalls);
   groups.Run("Control", CheckControl);
   groups.Run("RandomMeshes", CheckRandomMeshes);
+  groups.Run("FoldedLayers", CheckFoldedLayers);
   groups.Run("Report", CheckReport);
   return groups.Result();
 }

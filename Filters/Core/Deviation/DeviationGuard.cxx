@@ -158,8 +158,10 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   this->OpenReference.clear();
 
   std::vector<Failure> failures;
-  std::vector<Index> bad =
-    Split(changed, monitor, [&](Index t) { return this->IsSpoilt(t, leastQuality); });
+  // What has not moved is accepted already, its neighbours are to blame for a fold between them; but
+  // it may have moved back in the way of others.
+  std::vector<Index> bad = Split(changed, monitor,
+    [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); });
   const auto isDecided = [&]
   { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
   if (!isDecided())
@@ -175,7 +177,6 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
     const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
     bad.insert(bad.end(), astray.begin(), astray.end());
   }
-  // What has not moved is accepted already; its neighbours are to blame for a fold between them.
   this->Open = Split(bad, monitor, [this](Index t) { return this->Mesh.IsMoved(t); });
   for (const Index t : this->Open)
   {
