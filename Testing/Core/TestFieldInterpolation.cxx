@@ -83,6 +83,24 @@ void CheckFields(Checks& c)
   c.Error("without a triangle the value is 0", LargestMagnitude(nowhere.matrix()), 0);
 }
 
+/// On a regular grid the errors of opposite triangles in the gradient of a quadratic field cancel.
+void CheckQuadraticField(Checks& c)
+{
+  const TestMesh grid = Grid(8, 0);
+  const auto locations = LocationsOn(grid);
+  const Points positions = PositionsOf(grid, locations);
+  const Fields smooth = Smooth(grid, FieldsAt(grid.V), locations);
+  const Fields expected = FieldsAt(positions);
+  double error = 0;
+  for (Eigen::Index i = 0; i < positions.rows(); ++i)
+  {
+    const bool isInner =
+      positions.row(i).head(2).minCoeff() > 1.5 && positions.row(i).head(2).maxCoeff() < 6.5;
+    error = Larger(error, isInner ? std::abs(smooth(i, 2) - expected(i, 2)) : 0);
+  }
+  c.Error("a quadratic field on a regular grid is interpolated exactly", error, 1e-13);
+}
+
 /// The values on an edge, from both sides.
 void CheckContinuity(Checks& c)
 {
@@ -124,6 +142,7 @@ int TestFieldInterpolation(int argc, char* argv[])
 {
   Groups groups(argc, argv);
   groups.Run("Fields", CheckFields);
+  groups.Run("QuadraticField", CheckQuadraticField);
   groups.Run("Continuity", CheckContinuity);
   return groups.Result();
 }

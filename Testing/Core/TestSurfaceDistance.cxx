@@ -96,6 +96,22 @@ void CheckDirections(Checks& c)
     std::abs(forth.diagonal - 3 * std::sqrt(2)) + std::abs(back.diagonal - std::sqrt(2)), 1e-15);
 }
 
+void CheckInterior(Checks& c)
+{
+  const TestMesh triangle = EquilateralTriangle();
+  TestMesh rim{ Points(6, 3), Triangles(3, 3) };
+  rim.V.topRows(3) = triangle.V;
+  const Vector3 centre = triangle.V.colwise().mean();
+  for (int k = 0; k < 3; ++k)
+  {
+    rim.V.row(3 + k) = 0.98 * (triangle.V.row(k) + triangle.V.row((k + 1) % 3)) / 2 + 0.02 * centre;
+    rim.T.row(k) << k, (k + 1) % 3, 3 + k;
+  }
+  const double edge = (triangle.V.row(1) - triangle.V.row(0)).norm();
+  c.Error("the largest distance to the rim of a triangle is that of its centre",
+    std::abs(Measure(triangle, rim, 10000).hausdorff - 0.98 * edge / std::sqrt(12)), 0.02 * edge);
+}
+
 void CheckEmptySurfaces(Checks& c)
 {
   TestMesh nothing = Grid(1, 0);
@@ -112,6 +128,7 @@ int TestSurfaceDistance(int argc, char* argv[])
   groups.Run("AgainstTrial", CheckAgainstTrial);
   groups.Run("HausdorffAgainstTrial", CheckHausdorffAgainstTrial);
   groups.Run("Directions", CheckDirections);
+  groups.Run("Interior", CheckInterior);
   groups.Run("EmptySurfaces", CheckEmptySurfaces);
   return groups.Result();
 }
