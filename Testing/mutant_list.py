@@ -365,7 +365,7 @@ MUTANTS = [
          "step < 2", "step < 1", "TestSolvers-Residuals"),
         ("the smoother of multigrid", "Multigrid/ChebyshevSmoother.cxx",
          "2 * nextRho / radius }", "nextRho / radius }",
-         "TestPreconditioners-Inverses"),
+         "TestChebyshevSmoother"),
         ("the transposed cycle is the transpose", "Multigrid/VCycle.txx",
          "level.smoother.Smooth(A, b, x)", "level.smoother.SmoothFromZero(A, b, x)",
          "TestPreconditioners-Inverses"),

@@ -70,6 +70,20 @@ double TrueResidual(const TestMesh& mesh, const OptimizerResult& result)
   return (b - LtL * d - Wp2d).norm() / b.norm();
 }
 
+/// How far a solution of smoothing with L_u is from that of the least-squares system without L^T L,
+/// in terms of the largest displacement.
+double ErrorOfSolution(const TestMesh& mesh, const OptimizerResult& result)
+{
+  const Eigen::MatrixXd L = DenseMatrix(OperatorFixtures(mesh).uniform);
+  Eigen::MatrixXd system(2 * L.rows(), L.cols());
+  system << L, Eigen::MatrixXd(result.positionWeights.asDiagonal());
+  Eigen::MatrixXd target = Eigen::MatrixXd::Zero(system.rows(), 3);
+  target.topRows(L.rows()) = -L * mesh.V;
+  const Eigen::MatrixXd expected = system.householderQr().solve(target);
+  return (result.positions - mesh.V - expected).cwiseAbs().maxCoeff() /
+         expected.cwiseAbs().maxCoeff();
+}
+
 void CheckResiduals(Checks& c)
 {
   const TestMesh mesh = Irregular(Icosphere(2), 0.05);
@@ -90,7 +104,10 @@ void CheckResiduals(Checks& c)
   const OptimizerResult direct = Run(mesh, smooth);
   c.Error("the direct solution has no residual", TrueResidual(mesh, direct), 1e-13);
   c.Equal("the direct solver does not iterate", direct.iterations, 0);
-
+  OptimizerOptions strong = smooth;
+  strong.scaleFactor = 1e-4;
+  c.Error("the direct solution has the digits that the formation of L^T L costs",
+    ErrorOfSolution(mesh, Run(mesh, strong)), 1e-12);
   OptimizerOptions automatic = Iterative(smooth, 1e-9, 1);
   automatic.solverType = SolverType::AUTOMATIC;
   c.Error("the automatic choice falls back to the direct solver",
