@@ -67,12 +67,14 @@ public:
     }
     Spoke previous = this->SpokeTo(corners[PreviousCorner(corner)]);
     const double squares = next.squaredLength * previous.squaredLength;
-    if (squares * squares > std::numeric_limits<double>::min())
+    const double product = next.edge.dot(previous.edge);
+    const double area = squares - product * product; // its square, times 4
+    constexpr double thin = 1e-12;                   // below, little but round-off is left
+    if (area > thin * squares && squares * squares > std::numeric_limits<double>::min())
     {
       // The gradient of the linear interpolation times (sin(angle) / (product of the edges))^2.
-      const double product = next.edge.dot(previous.edge);
       const double inverse = 1 / (squares * squares);
-      this->Weights += inverse * (squares - product * product);
+      this->Weights += inverse * area;
       next.factor += (inverse * previous.squaredLength) * next.difference -
                      (inverse * product) * previous.difference;
       previous.factor = (inverse * next.squaredLength) * previous.difference -
