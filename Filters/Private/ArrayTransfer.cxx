@@ -8,7 +8,6 @@
 #include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
 
-
 #include <cmath>
 
 namespace lmo

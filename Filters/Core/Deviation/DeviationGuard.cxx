@@ -158,8 +158,8 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   this->OpenReference.clear();
 
   std::vector<Failure> failures;
-  // What has not moved is accepted already, its neighbours are to blame for a fold between them; but
-  // it may have moved back in the way of others.
+  // What has not moved is accepted already, its neighbours are to blame for a fold between them;
+  // but it may have moved back in the way of others.
   std::vector<Index> bad = Split(changed, monitor,
     [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); });
   const auto isDecided = [&]
