@@ -522,7 +522,7 @@ public:
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
    * points, and fields are displaced with them; so it is in OPTIMIZE_TRIANGLES over several
-   * processes in either case, of which a warning tells. Default: on.
+   * processes in either case, and a warning says so. Default: on.
    */
   vtkSetMacro(InterpolatePointData, vtkTypeBool);
   vtkGetMacro(InterpolatePointData, vtkTypeBool);

@@ -94,6 +94,9 @@ int vtkSurfaceDeviation::RequestData(
   vtkDataSet* surface = vtkDataSet::GetData(inputVector[0]);
   vtkDataSet* reference = vtkDataSet::GetData(inputVector[1]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->HasExecuted = true;
+  this->HausdorffDistance = this->RelativeHausdorffDistance = -1;
+  this->MeanDistance = this->RelativeMeanDistance = -1;
   return lmo::RunFilter(this, surface, output,
     [&] { this->Compare(lmo::SurfaceOf(surface), lmo::SurfaceOf(reference), output); });
 }
@@ -102,8 +105,7 @@ int vtkSurfaceDeviation::UpdateMetrics()
 {
   const int pieces =
     this->GetOutputInformation(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
-  const bool hasExecuted = this->HausdorffDistance >= 0;
-  if (!hasExecuted || pieces > 1)
+  if (!this->HasExecuted || pieces > 1)
   {
     return 0;
   }

@@ -63,7 +63,7 @@ public:
   /**
    * Largest distance found in either direction: a lower bound of the two-sided Hausdorff distance.
    * In the mesh's unit, and divided by the bounding-box diagonal of the reference. Valid after
-   * Update(), as the means; all are -1 before.
+   * Update(), as the means; all are -1 before, and after an error.
    */
   vtkGetMacro(HausdorffDistance, double);
   vtkGetMacro(RelativeHausdorffDistance, double);
@@ -100,6 +100,8 @@ protected:
   double RelativeMeanDistance = -1;
 
 private:
+  bool HasExecuted = false;
+
   vtkSurfaceDeviation(const vtkSurfaceDeviation&) = delete;
   void operator=(const vtkSurfaceDeviation&) = delete;
 

@@ -21,6 +21,7 @@ std::size_t HashOf(const Value* values, std::size_t size)
 std::size_t HashOf(const MeshNumbering& numbering, Index triangles)
 {
   std::vector<vtkIdType> numbers{ numbering.GetNumberOfPoints(), numbering.GetNumberOfCells() };
+  numbers.reserve(2 + triangles);
   for (Index point = 0; numbering.HasMergedPoints() && point < numbering.GetNumberOfPoints();
        ++point)
   {

@@ -108,6 +108,7 @@ void CheckResiduals(Checks& c)
   strong.scaleFactor = 1e-4;
   c.Error("the direct solution has the digits that the formation of L^T L costs",
     ErrorOfSolution(mesh, Run(mesh, strong)), 1e-12);
+
   OptimizerOptions automatic = Iterative(smooth, 1e-9, 1);
   automatic.solverType = SolverType::AUTOMATIC;
   c.Error("the automatic choice falls back to the direct solver",

@@ -150,8 +150,16 @@ void CheckOtherInput(Checks& c)
     filter->SetReferenceData(reference);
     c.Says(what + " are an error which says '" + text + "'", Update(filter).errors, text);
     c.True(what + " leave the output empty", IsEmpty(filter->GetOutput()));
+    c.Equal(what + " leave no distance of before", filter->GetHausdorffDistance(), -1);
   };
   const auto cube = MakePolyData(Cube());
+  c.Equal("nothing is updated before the first execution", filter->UpdateMetrics(), 0);
+  filter->SetInputData(cube);
+  filter->SetReferenceData(cube);
+  filter->Update();
+  filter->Modified();
+  c.Equal("afterwards the distances are brought up to date", filter->UpdateMetrics(), 1);
+  c.Error("a surface has no distance to itself", filter->GetHausdorffDistance(), 1e-15);
   const auto edges = MakePolyData(Cube());
   edges->GetPolys()->InsertNextCell({ 0, 1 });
   vtkNew<vtkPolyData> nothing;
