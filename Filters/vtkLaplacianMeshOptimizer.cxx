@@ -6,7 +6,6 @@
 #include "Private/FilterSupport.h"
 #include "Private/OptimizerSession.h"
 #include "Private/OptimizerTables.h"
-#include "Private/PointDataInterpolation.h"
 #include "Private/PointNormals.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
@@ -26,7 +25,6 @@
 #include "vtkSelection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <cstring>
 #include <utility>
 
 #ifdef VTK_ABI_NAMESPACE_BEGIN
@@ -130,9 +128,9 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
     add("Displacement", result.displacements);
     lmo::AddRadiusRatios("InputRadiusRatio", *result.comparison.before, numbering, results, output);
   }
-  if (result.featureClass.rows() > 0)
+  if (result.featureClass)
   {
-    add("FeatureClass", result.featureClass);
+    add("FeatureClass", *result.featureClass);
   }
   if (result.intersections.isKnown)
   {
@@ -141,64 +139,6 @@ void vtkLaplacianMeshOptimizer::Session::WritePoints(lmo::OptimizerResult result
   }
   lmo::AddRadiusRatios("RadiusRatio", result.comparison.after, numbering, results, output);
   this->WriteCellNormals(output);
-}
-
-bool vtkLaplacianMeshOptimizer::Session::CanInterpolatePointData() const
-{
-  return true;
-}
-
-bool vtkLaplacianMeshOptimizer::Session::WantsInterpolation() const
-{
-  const int mode = this->Filter->Mode;
-  return this->Filter->InterpolatePointData &&
-         (mode == OPTIMIZE_WITHIN_DEVIATION || mode == OPTIMIZE_TRIANGLES);
-}
-
-bool vtkLaplacianMeshOptimizer::Session::InterpolatesPointData() const
-{
-  return this->WantsInterpolation() && this->CanInterpolatePointData();
-}
-
-void vtkLaplacianMeshOptimizer::Session::WritePointData(
-  const lmo::OptimizerResult& result, vtkPolyData* input, vtkPointData* pointData) const
-{
-  vtkDataArray* normals = pointData->GetNormals();
-  if (this->Filter->ComputeNormals && normals)
-  {
-    lmo::CheckNormals(normals, input->GetNumberOfPoints(), "point");
-  }
-  if (this->InterpolatesPointData() && input->GetPoints())
-  {
-    pointData->ShallowCopy(lmo::InterpolatePointData(
-      input, this->Optimizer->GetMesh(), this->Numbering, result.positions));
-    return;
-  }
-  if (this->WantsInterpolation() && lmo::HasDataOfPlaces(pointData))
-  {
-    vtkWarningWithObjectMacro(this->Filter,
-      "The point data stay with their points, which have slid along the surface: in several "
-      "processes, OPTIMIZE_TRIANGLES does not interpolate them. Choose Mode "
-      "OPTIMIZE_WITHIN_DEVIATION, which does, or switch InterpolatePointData off.");
-  }
-  if (result.normals.rows() > 0)
-  {
-    pointData->SetNormals(lmo::ReplaceNormals(
-      normals, this->Numbering.HasMergedPoints()
-                 ? lmo::NormalsOfMergedPoints(
-                     input, this->Numbering.ToPoints(result.positions), this->Numbering)
-                 : this->Numbering.ToPoints(result.normals)));
-  }
-}
-
-void vtkLaplacianMeshOptimizer::Session::WriteCellNormals(vtkPolyData* output) const
-{
-  vtkDataArray* normals = output->GetCellData()->GetNormals();
-  if (this->Filter->ComputeNormals && output->GetPoints() && normals)
-  {
-    lmo::CheckNormals(normals, output->GetNumberOfCells(), "cell");
-    output->GetCellData()->SetNormals(lmo::ReplaceNormals(normals, lmo::CellNormals(output)));
-  }
 }
 
 void vtkLaplacianMeshOptimizer::SetSelectionConnection(vtkAlgorithmOutput* selection)
@@ -216,7 +156,7 @@ void vtkLaplacianMeshOptimizer::SetReferenceConnection(vtkAlgorithmOutput* refer
   this->SetInputConnection(2, reference);
 }
 
-void vtkLaplacianMeshOptimizer::SetReferenceData(vtkDataSet* reference)
+void vtkLaplacianMeshOptimizer::SetReferenceData(vtkDataObject* reference)
 {
   this->SetInputData(2, reference);
 }
@@ -252,13 +192,7 @@ vtkTypeBool vtkLaplacianMeshOptimizer::ProcessRequest(
   {
     return this->Superclass::ProcessRequest(request, inputVector, outputVector);
   }
-  vtkInformation* info = outputVector->GetInformationObject(0);
-  vtkDataObject* output = vtkDataObject::GetData(info);
-  const auto fitting = lmo::NewOutputFor(vtkDataObject::GetData(inputVector[0]));
-  if (!output || std::strcmp(output->GetClassName(), fitting->GetClassName()) != 0)
-  {
-    info->Set(vtkDataObject::DATA_OBJECT(), fitting);
-  }
+  lmo::SetOutputFor(vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
   return 1;
 }
 

@@ -312,7 +312,7 @@ public:
    * not use it. Without triangles it is an error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
-  void SetReferenceData(vtkDataSet* reference);
+  void SetReferenceData(vtkDataObject* reference);
   ///@}
 
   ///@{

@@ -5,15 +5,19 @@
 #include "Core/Deviation/SignedDistance.h"
 #include "Core/Deviation/SurfaceDistance.h"
 #include "Private/FilterSupport.h"
+#include "Private/JoinedPieces.h"
 #include "Private/PolyDataConversion.h"
 #include "Private/PolyDataOutput.h"
+#include "Private/SurfaceBlocks.h"
 #include "Private/SurfaceExtraction.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -25,6 +29,33 @@ VTK_ABI_NAMESPACE_BEGIN
 
 vtkStandardNewMacro(vtkSurfaceDeviation);
 
+namespace
+{
+/// The surfaces of all blocks and partitions, one after the other.
+lmo::SurfacePieces SurfacesOf(vtkDataObject* data)
+{
+  lmo::SurfacePieces surfaces;
+  for (const lmo::SurfaceBlock& block : lmo::FindBlocks(data))
+  {
+    for (const lmo::SurfacePart& part : block.parts)
+    {
+      surfaces.push_back(lmo::SurfaceOf(part.data));
+    }
+  }
+  return surfaces;
+}
+
+/// The surfaces of all blocks and partitions as one.
+vtkSmartPointer<vtkPolyData> JoinedSurfaceOf(vtkDataObject* data)
+{
+  if (vtkCompositeDataSet::SafeDownCast(data))
+  {
+    return lmo::JoinedPieces(SurfacesOf(data), lmo::Joining::ONE_SURFACE).GetSurface();
+  }
+  return lmo::SurfaceOf(data);
+}
+}
+
 vtkSurfaceDeviation::vtkSurfaceDeviation()
 {
   this->SetNumberOfInputPorts(2);
@@ -35,7 +66,7 @@ void vtkSurfaceDeviation::SetReferenceConnection(vtkAlgorithmOutput* reference)
   this->SetInputConnection(1, reference);
 }
 
-void vtkSurfaceDeviation::SetReferenceData(vtkDataSet* reference)
+void vtkSurfaceDeviation::SetReferenceData(vtkDataObject* reference)
 {
   this->SetInputData(1, reference);
 }
@@ -43,10 +74,51 @@ void vtkSurfaceDeviation::SetReferenceData(vtkDataSet* reference)
 int vtkSurfaceDeviation::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkCompositeDataSet");
+  return 1;
+}
+
+int vtkSurfaceDeviation::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject"); // as the input
+  return 1;
+}
+
+vtkTypeBool vtkSurfaceDeviation::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+  }
+  lmo::SetOutputFor(vtkDataObject::GetData(inputVector[0]), outputVector->GetInformationObject(0));
   return 1;
 }
 
 void vtkSurfaceDeviation::Compare(
+  vtkDataObject* input, vtkDataObject* reference, vtkDataObject* output)
+{
+  if (!vtkCompositeDataSet::SafeDownCast(input))
+  {
+    this->CompareSurfaces(
+      lmo::SurfaceOf(input), JoinedSurfaceOf(reference), vtkPolyData::SafeDownCast(output));
+    return;
+  }
+  const lmo::SurfacePieces pieces = SurfacesOf(input);
+  const lmo::JoinedPieces joined(pieces, lmo::Joining::ONE_SURFACE);
+  vtkNew<vtkPolyData> compared;
+  this->CompareSurfaces(joined.GetSurface(), JoinedSurfaceOf(reference), compared);
+  lmo::SurfacePieces parts;
+  lmo::ResultArrays results;
+  for (std::size_t k = 0; k < pieces.size(); ++k)
+  {
+    parts.push_back(joined.HandBack(pieces[k], k, compared, results));
+  }
+  results.Warn(this);
+  lmo::SetParts(input, parts, output);
+}
+
+void vtkSurfaceDeviation::CompareSurfaces(
   vtkPolyData* surfaceData, vtkPolyData* referenceData, vtkPolyData* output)
 {
   if (this->NumberOfSamples <= 0)
@@ -91,14 +163,13 @@ void vtkSurfaceDeviation::Compare(
 int vtkSurfaceDeviation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkDataSet* surface = vtkDataSet::GetData(inputVector[0]);
-  vtkDataSet* reference = vtkDataSet::GetData(inputVector[1]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  vtkDataObject* surface = vtkDataObject::GetData(inputVector[0]);
+  vtkDataObject* reference = vtkDataObject::GetData(inputVector[1]);
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
   this->HasExecuted = true;
   this->HausdorffDistance = this->RelativeHausdorffDistance = -1;
   this->MeanDistance = this->RelativeMeanDistance = -1;
-  return lmo::RunFilter(this, surface, output,
-    [&] { this->Compare(lmo::SurfaceOf(surface), lmo::SurfaceOf(reference), output); });
+  return lmo::RunFilter(this, surface, output, [&] { this->Compare(surface, reference, output); });
 }
 
 int vtkSurfaceDeviation::UpdateMetrics()

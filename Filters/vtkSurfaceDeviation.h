@@ -26,7 +26,10 @@
  * @sa vtkHausdorffDistancePointSetFilter
  *
  * Inputs that are no vtkPolyData are taken for their surface: the cells that are one, and the outer
- * faces of those that fill a volume.
+ * faces of those that fill a volume. The blocks and partitions of a composite data set are one
+ * surface, without their ghost cells: each point has the distance to the closest block of the
+ * reference, and the field arrays of each block hold the figures of the whole. The output has the
+ * structure of the input.
  */
 #ifndef vtkSurfaceDeviation_h
 #define vtkSurfaceDeviation_h
@@ -44,12 +47,14 @@ public:
   static vtkSurfaceDeviation* New();
   vtkTypeMacro(vtkSurfaceDeviation, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
    * The surface on port 1.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
-  void SetReferenceData(vtkDataSet* reference);
+  void SetReferenceData(vtkDataObject* reference);
 
   ///@{
   /**
@@ -91,6 +96,7 @@ protected:
   ~vtkSurfaceDeviation() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int NumberOfSamples = 100000;
@@ -105,7 +111,8 @@ private:
   vtkSurfaceDeviation(const vtkSurfaceDeviation&) = delete;
   void operator=(const vtkSurfaceDeviation&) = delete;
 
-  void Compare(vtkPolyData* surface, vtkPolyData* reference, vtkPolyData* output);
+  void Compare(vtkDataObject* input, vtkDataObject* reference, vtkDataObject* output);
+  void CompareSurfaces(vtkPolyData* surface, vtkPolyData* reference, vtkPolyData* output);
 };
 
 #ifdef VTK_ABI_NAMESPACE_END

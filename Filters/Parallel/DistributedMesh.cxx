@@ -208,14 +208,26 @@ void DistributedMesh::CheckCoordinates(const Piece& piece) const
     });
 }
 
+VertexPlace DistributedMesh::GetPlace(Index i) const
+{
+  return i < this->GetNumberOfOwned() ? VertexPlace{ this->Comm.Rank(), i }
+                                      : this->GhostPlaces[i - this->GetNumberOfOwned()];
+}
+
 std::int64_t DistributedMesh::GetRow(Index i) const
 {
-  if (i < this->GetNumberOfOwned())
-  {
-    return this->GetFirstRow() + i;
-  }
-  const VertexPlace& place = this->GhostPlaces[i - this->GetNumberOfOwned()];
+  const VertexPlace place = this->GetPlace(i);
   return this->FirstRows[place.rank] + place.number;
+}
+
+Vector DistributedMesh::GetRows() const
+{
+  Vector rows(this->GetNumberOfVertices());
+  for (Index i = 0; i < this->GetNumberOfVertices(); ++i)
+  {
+    rows[i] = static_cast<double>(this->GetRow(i));
+  }
+  return rows;
 }
 
 void DistributedMesh::UniteMaximum(Vector& values) const

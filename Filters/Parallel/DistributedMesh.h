@@ -34,8 +34,12 @@ public:
   Points TakePoints() { return std::move(this->V); }
   Triangles TakeTriangles() { return std::move(this->T); }
 
+  /// Where a vertex is owned.
+  VertexPlace GetPlace(Index i) const;
+
   /// Number of a vertex over all processes: consecutive for those that a process owns.
   std::int64_t GetRow(Index i) const;
+  Vector GetRows() const; ///< of all vertices
   std::int64_t GetFirstRow() const { return this->FirstRows[this->Comm.Rank()]; }
 
   /// Gives the ghosts among the vertices the values of their owners.

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DistributedOptimizer.h"
 
+#include "DistributedDeviation.h"
 #include "DistributedSubdomain.h"
 #include "PetscSolver.h"
 
-#include <stdexcept>
+#include <algorithm>
+#include <set>
 
 namespace lmo
 {
@@ -23,7 +25,7 @@ std::optional<Values> FromPiece(
   return mesh.FromPiece(array ? *array : Values(0, columns));
 }
 
-/// All but features, reference and earlier step, whose modes need the whole surface. Another one
+/// All but labels, reference and earlier step, which need the whole surface. Another one
 /// does not compile here before it has been thought of.
 VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& arrays)
 {
@@ -34,6 +36,7 @@ VertexArrays ArraysFromPiece(const DistributedMesh& mesh, const VertexArrays& ar
   result.laplacianWeights = FromPiece(mesh, laplacianWeights, 1);
   result.prescribedLaplacians = FromPiece(mesh, prescribedLaplacians, 3);
   result.fixedPoints = FromPiece(mesh, fixedPoints, 1);
+  result.featurePoints = FromPiece(mesh, featurePoints, 1);
   return result;
 }
 
@@ -47,14 +50,6 @@ std::shared_ptr<const MeshQuality> PieceQuality(const DistributedMesh& mesh,
   quality->minimum = vertices.minimum;
   return quality;
 }
-}
-
-bool NeedsWholeSurface(const OptimizerOptions& options)
-{
-  return options.mode == Mode::OPTIMIZE_WITHIN_DEVIATION || options.mode == Mode::SMOOTH_GUIDED ||
-         options.robustLaplacian || options.boundaryCondition == BoundaryCondition::CURVE ||
-         options.featureSmoothing || options.featureConstraints || options.preserveVolume ||
-         options.checkSelfIntersections;
 }
 
 DistributedOptimizer::Parts DistributedOptimizer::Distribute(const Communicator& comm, Piece piece)
@@ -95,10 +90,6 @@ DistributedOptimizer::DistributedOptimizer(
 OptimizerResult DistributedOptimizer::Run(
   const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
-  if (NeedsWholeSurface(options))
-  {
-    throw std::logic_error("DistributedOptimizer has a part of the surface only.");
-  }
   if (!this->Mesh)
   {
     return this->Optimizer::Run(options, {}, monitor);
@@ -117,6 +108,53 @@ OptimizerResult DistributedOptimizer::Run(
   return result;
 }
 
+ModeResult DistributedOptimizer::OptimizeWithin(RunPlan& plan, ProgressMonitor& monitor)
+{
+  const auto* subdomain =
+    dynamic_cast<const DistributedSubdomain*>(&this->GetMesh().GetSubdomain());
+  return subdomain ? OptimizeWithinDeviation(this->GetMesh(), *subdomain, plan, monitor)
+                   : this->Optimizer::OptimizeWithin(plan, monitor);
+}
+
+std::unique_ptr<const DistributedPlaces> DistributedOptimizer::FindPlaces(
+  const Points& positions) const
+{
+  const PetscSession session(this->Comm.Get());
+  return std::make_unique<const DistributedPlaces>(this->GetMesh(),
+    dynamic_cast<const DistributedSubdomain&>(this->GetMesh().GetSubdomain()), positions);
+}
+
+Mask DistributedOptimizer::MarksOfPiece(const Mask& isMarked) const
+{
+  using Triple = std::array<double, 3>;
+  const DistributedMesh& mesh = *this->Mesh;
+  const Vector rows = mesh.GetRows();
+  const auto tripleOf = [](const Triangles& triangles, Index t, const Vector& names)
+  {
+    Triple triple{ names[triangles(t, 0)], names[triangles(t, 1)], names[triangles(t, 2)] };
+    std::sort(triple.begin(), triple.end());
+    return triple;
+  };
+  std::vector<Triple> marked;
+  const Triangles& T = this->GetMesh().GetTriangles();
+  for (Index t = 0; t < static_cast<Index>(isMarked.size()); ++t)
+  {
+    if (isMarked[t] && this->GetMesh().GetSubdomain().OwnsTriangle(t))
+    {
+      marked.push_back(tripleOf(T, t, rows));
+    }
+  }
+  marked = this->Comm.Join(marked);
+  const std::set<Triple> all(marked.begin(), marked.end());
+  const Vector pieceRows = mesh.ToPiece(rows);
+  Mask ofPiece(this->PieceTriangles.rows(), 0);
+  for (Index t = 0; t < static_cast<Index>(this->PieceTriangles.rows()) && !all.empty(); ++t)
+  {
+    ofPiece[t] = all.count(tripleOf(this->PieceTriangles, t, pieceRows)) > 0;
+  }
+  return ofPiece;
+}
+
 OptimizerResult DistributedOptimizer::ToPiece(OptimizerResult result) const
 {
   const DistributedMesh& mesh = *this->Mesh;
@@ -130,6 +168,14 @@ OptimizerResult DistributedOptimizer::ToPiece(OptimizerResult result) const
   if (hasNormals)
   {
     result.normals = mesh.ToPiece(result.normals);
+  }
+  if (result.featureClass)
+  {
+    result.featureClass = mesh.ToPiece(*result.featureClass);
+  }
+  if (result.intersections.isKnown)
+  {
+    result.intersections.isIntersecting = this->MarksOfPiece(result.intersections.isIntersecting);
   }
   result.comparison.before =
     PieceQuality(mesh, *result.comparison.before, before, this->PieceTriangles);

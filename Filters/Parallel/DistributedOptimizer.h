@@ -4,15 +4,14 @@
 #define lmo_DistributedOptimizer_h
 
 #include "Core/Optimizer/Optimizer.h"
-#include "DistributedMesh.h"
+#include "DistributedPlaces.h"
 
 namespace lmo
 {
-/// True for options that work on a whole surface in one process only.
-bool NeedsWholeSurface(const OptimizerOptions& options);
-
-/// Optimizer for a surface over several processes. All functions are collective, and every process
-/// throws what one throws.
+/// Optimizer for a surface over several processes, for what needs no more of it in one of them: not
+/// for SMOOTH_GUIDED, robust Laplacians, curves that are smoothed, volumes, self-intersections of
+/// other modes than OPTIMIZE_WITHIN_DEVIATION, labels, a reference and earlier steps. All functions
+/// are collective, and every process throws what one throws.
 class DistributedOptimizer : public Optimizer
 {
 public:
@@ -27,6 +26,12 @@ public:
   /// \param arrays may lack in processes without points
   OptimizerResult Run(
     const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor) override;
+
+  /// The places to which the points of the piece have moved.
+  std::unique_ptr<const DistributedPlaces> FindPlaces(const Points& positions) const;
+
+protected:
+  ModeResult OptimizeWithin(RunPlan& plan, ProgressMonitor& monitor) override;
 
 private:
   /// What the vertices that this process knows are made of.
@@ -44,6 +49,9 @@ private:
   DistributedOptimizer(const Communicator& comm, Parts parts, Triangles triangles);
 
   OptimizerResult ToPiece(OptimizerResult result) const;
+
+  /// Whether each triangle of the piece is one of the marked triangles of the mesh.
+  Mask MarksOfPiece(const Mask& isMarked) const;
 
   const Communicator Comm;
   const Triangles PieceTriangles;

@@ -5,6 +5,7 @@
 #include "../Private/FilterSupport.h"
 #include "../Private/OptimizerTables.h"
 #include "DistributedOptimizer.h"
+#include "GatheringRule.h"
 #include "PieceOfMesh.h"
 
 #include "vtkMPI.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <thread>
 #include <type_traits>
 
@@ -31,14 +33,18 @@ public:
   CollectiveMonitor(vtkAlgorithm* filter, const lmo::Communicator& comm)
     : FilterMonitor(filter)
     , Comm(comm)
+    , Own(filter)
   {
   }
+
+  ProgressMonitor& OfThisProcess() override { return this->Own; }
 
 protected:
   bool IsCancelled() override { return this->Comm.Maximum(this->FilterMonitor::IsCancelled()) > 0; }
 
 private:
   const lmo::Communicator Comm;
+  FilterMonitor Own;
 };
 
 /// The places of the blocks and whether they are partitioned, as numbers that can be sent.
@@ -52,6 +58,45 @@ std::vector<unsigned int> Describe(const std::vector<lmo::SurfaceBlock>& blocks)
     numbers.insert(numbers.end(), block.path.begin(), block.path.end());
   }
   return numbers;
+}
+
+/// The arrays that all pieces with points have, in one order.
+/// \param own arrays of the piece of this process; do not count if it has no points
+std::vector<lmo::MovingArray> AgreeOn(
+  const lmo::Communicator& comm, std::vector<lmo::MovingArray> own, bool hasPoints)
+{
+  own.resize(hasPoints ? own.size() : 0);
+  std::string texts;
+  for (const lmo::MovingArray& array : own)
+  {
+    texts += std::to_string(static_cast<int>(array.how)) + ' ' + std::to_string(array.components) +
+             ' ' + array.name + '\0';
+  }
+  const std::vector<char> joined = comm.Join(std::vector<char>(texts.begin(), texts.end()));
+  std::map<std::string, std::int64_t> pieces; // that have the array
+  for (auto begin = joined.begin(); begin != joined.end();)
+  {
+    const auto end = std::find(begin, joined.end(), '\0');
+    ++pieces[std::string(begin, end)];
+    begin = end + 1;
+  }
+  const std::int64_t all = comm.Sum(std::int64_t(hasPoints));
+  std::vector<lmo::MovingArray> common;
+  for (const auto& [text, count] : pieces)
+  {
+    if (count == all)
+    {
+      std::istringstream words(text);
+      int how = 0;
+      lmo::MovingArray array;
+      words >> how >> array.components;
+      words.get();
+      std::getline(words, array.name, '\0');
+      array.how = static_cast<lmo::Interpolation>(how);
+      common.push_back(array);
+    }
+  }
+  return common;
 }
 
 /// While it lives, process 0 works alone; at its end, all processes meet.
@@ -97,12 +142,8 @@ MPI_Comm vtkPLaplacianMeshOptimizer::DistributedSession::CommunicatorOf(
 int vtkPLaplacianMeshOptimizer::DistributedSession::NumberOfThreads(
   vtkPLaplacianMeshOptimizer* filter)
 {
-  lmo::OptimizerOptions options;
-  Tables::VisitProperties(*filter, options,
-    [](const char*, auto value, auto, auto&... option)
-    { ((option = static_cast<std::decay_t<decltype(option)>>(value)), ...); });
   const lmo::Communicator comm(CommunicatorOf(filter->GetController()));
-  const bool isGathered = comm.Maximum(lmo::NeedsWholeSurface(options)) > 0;
+  const bool isGathered = lmo::NeedsOneProcess(filter, comm);
   const int processes = comm.SizeOnComputer();
   const int processors = static_cast<int>(std::thread::hardware_concurrency()); // 0 if unknown
   return isGathered && comm.Rank() == 0 ? std::max(1, std::min(processes, processors)) : 1;
@@ -148,10 +189,35 @@ std::unique_ptr<lmo::ProgressMonitor> vtkPLaplacianMeshOptimizer::DistributedSes
   return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
 }
 
-bool vtkPLaplacianMeshOptimizer::DistributedSession::CanInterpolatePointData() const
+vtkSmartPointer<vtkPointData> vtkPLaplacianMeshOptimizer::DistributedSession::PointDataAtNewPlaces(
+  vtkPolyData* input, const lmo::OptimizerResult& result) const
 {
-  // New places may lie on the pieces of other processes.
-  return !this->IsDistributed();
+  if (!this->IsDistributed())
+  {
+    return this->Session::PointDataAtNewPlaces(input, result);
+  }
+  const lmo::Communicator comm = this->GetCommunicator();
+  const std::vector<lmo::MovingArray> arrays =
+    AgreeOn(comm, this->FindMovingArrays(input), input->GetNumberOfPoints() > 0);
+  const auto& optimizer = static_cast<const lmo::DistributedOptimizer&>(*this->Optimizer);
+  bool isTorn = false;
+  const std::unique_ptr<const lmo::DistributedPlaces> places =
+    arrays.empty() ? nullptr : optimizer.FindPlaces(result.positions);
+  const auto data = this->MoveArrays(input, arrays,
+    [&](const lmo::Fields& fields, lmo::Interpolation how)
+    {
+      const bool hasSeam = how != lmo::Interpolation::NEAREST && places->HasSeam(fields);
+      isTorn = isTorn || hasSeam;
+      return hasSeam ? fields : places->Interpolate(fields, how);
+    });
+  if (isTorn)
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "Point arrays with several values at one place, such as texture coordinates at seams, stay "
+      "with their points, which have slid along the surface: only in one process are they "
+      "interpolated on each side.");
+  }
+  return data;
 }
 
 std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::FindBlocks(
@@ -186,21 +252,14 @@ std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::F
   return all;
 }
 
-bool vtkPLaplacianMeshOptimizer::DistributedSession::MustGather() const
-{
-  bool isWholeNeeded = false;
-  this->Try(
-    [&] { isWholeNeeded = lmo::NeedsWholeSurface(this->ReadOptions(vtkNew<vtkPolyData>())); });
-  return this->GetCommunicator().Maximum(isWholeNeeded) > 0;
-}
-
 lmo::SurfacePieces vtkPLaplacianMeshOptimizer::DistributedSession::Optimize(const Job& job)
 {
   if (!this->IsDistributed())
   {
     return this->Session::Optimize(job);
   }
-  if (this->MustGather())
+  this->Try([&] { this->ReadOptions(vtkNew<vtkPolyData>()); }); // which checks them
+  if (lmo::NeedsOneProcess(this->ParallelFilter, this->GetCommunicator()))
   {
     return this->OptimizeGathered(job);
   }

@@ -30,7 +30,8 @@ protected:
   void CheckPieces(int pieces) const override;
   void Try(const std::function<void()>& body) const override;
   std::unique_ptr<lmo::ProgressMonitor> MakeMonitor() const override;
-  bool CanInterpolatePointData() const override;
+  vtkSmartPointer<vtkPointData> PointDataAtNewPlaces(
+    vtkPolyData* input, const lmo::OptimizerResult& result) const override;
 
   /// The surfaces of which any process has a part.
   std::vector<lmo::SurfaceBlock> FindBlocks(vtkDataObject* data) const override;
@@ -42,9 +43,6 @@ private:
   /// False while process 0 works on what it has gathered.
   bool IsDistributed() const;
   lmo::Communicator GetCommunicator() const;
-
-  /// True if the options of a process need the whole surface in one process.
-  bool MustGather() const;
 
   Job Gather(const Job& job);
   lmo::SurfacePieces OptimizeGathered(const Job& job);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
 namespace lmo
 {
@@ -148,6 +149,61 @@ void DistributedSubdomain::UniteFlags(const std::vector<Index>& component, Mask&
       flags[component[i]] |= reached[i] > 0;
     }
     isChanged = this->Maximum(isChanged) > 0;
+  }
+}
+
+std::vector<double> DistributedSubdomain::UniteComponents(
+  const std::vector<Index>& component, Index count) const
+{
+  std::vector<double> largest(count, -1);
+  Vector rows = this->Mesh->GetRows();
+  for (bool isChanged = true; isChanged;)
+  {
+    isChanged = false;
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      isChanged = isChanged || rows[i] > largest[component[i]];
+      largest[component[i]] = std::max(largest[component[i]], rows[i]);
+    }
+    for (std::size_t i = 0; i < component.size(); ++i)
+    {
+      rows[i] = largest[component[i]];
+    }
+    this->Mesh->UniteMaximum(rows);
+    isChanged = this->Maximum(isChanged) > 0;
+  }
+  return largest;
+}
+
+void DistributedSubdomain::SumOverComponents(
+  const std::vector<Index>& component, Eigen::ArrayXXd& values) const
+{
+  const auto count = static_cast<Index>(values.rows());
+  const Eigen::Index columns = values.cols();
+  const std::vector<double> names = this->UniteComponents(component, count);
+  std::vector<double> numbers; // of each component its name and its values
+  for (Index k = 0; k < count; ++k)
+  {
+    if (!values.row(k).isZero(0))
+    {
+      numbers.push_back(names[k]);
+      numbers.insert(numbers.end(), values.row(k).begin(), values.row(k).end());
+    }
+  }
+  numbers = this->Mesh->GetCommunicator().Join(numbers);
+  std::unordered_map<double, Eigen::ArrayXd> sums;
+  for (auto number = numbers.cbegin(); number != numbers.cend(); number += 1 + columns)
+  {
+    Eigen::ArrayXd& sum = sums.try_emplace(*number, Eigen::ArrayXd::Zero(columns)).first->second;
+    sum += Eigen::Map<const Eigen::ArrayXd>(&number[1], columns);
+  }
+  for (Index k = 0; k < count; ++k)
+  {
+    const auto found = sums.find(names[k]);
+    if (found != sums.end())
+    {
+      values.row(k) = found->second;
+    }
   }
 }
 

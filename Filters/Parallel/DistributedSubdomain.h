@@ -30,10 +30,15 @@ public:
   void UpdateGhosts(Eigen::Array4Xf& values) const override;
   void UpdateGhosts(Eigen::Array4Xd& values) const override;
   void UniteFlags(const std::vector<Index>& component, Mask& flags) const override;
+  void SumOverComponents(
+    const std::vector<Index>& component, Eigen::ArrayXXd& values) const override;
   void ProjectOntoLines(
     const FeatureLines& features, const Points& V, Points& moved) const override;
 
 private:
+  /// For each component the largest row of a vertex that it is connected to.
+  std::vector<double> UniteComponents(const std::vector<Index>& component, Index count) const;
+
   std::shared_ptr<const DistributedMesh> Mesh;
   Mask IsTriangleOwned;
 };

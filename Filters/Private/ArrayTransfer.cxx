@@ -8,6 +8,7 @@
 #include "vtkDataArrayRange.h"
 #include "vtkIdList.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace lmo
@@ -26,9 +27,7 @@ vtkSmartPointer<vtkIdList> NearestPoints(const Triangles& triangles, const MeshN
     Index vertex = here;
     if (locations[i].triangle >= 0)
     {
-      Index corner = 0;
-      locations[i].weights.maxCoeff(&corner);
-      vertex = triangles(locations[i].triangle, corner);
+      vertex = triangles(locations[i].triangle, locations[i].NearestCorner());
     }
     nearest->SetId(numbering.FirstPointOf(here), numbering.FirstPointOf(vertex));
   }
@@ -87,9 +86,11 @@ Fields FieldsOf(const std::vector<Column>& columns, const MeshNumbering& numberi
 }
 
 /// Sets the values of points that moved.
+/// \param hasMoved hasMoved(i) for each of them
 /// \param isRounded to whole numbers
-void SetValues(const Fields& fields, const MeshNumbering& numbering,
-  const std::vector<SurfaceLocation>& locations, const std::vector<Column>& columns, bool isRounded)
+template <typename HasMoved>
+void SetValues(const Fields& fields, const MeshNumbering& numbering, const HasMoved& hasMoved,
+  const std::vector<Column>& columns, bool isRounded)
 {
   for (std::size_t k = 0; k < columns.size(); ++k)
   {
@@ -101,7 +102,7 @@ void SetValues(const Fields& fields, const MeshNumbering& numbering,
         ParallelFor(static_cast<Index>(fields.rows()),
           [&](Index i)
           {
-            if (locations[i].triangle >= 0)
+            if (hasMoved(i))
             {
               const double value = fields(i, k);
               tuples[numbering.FirstPointOf(i)][component] =
@@ -158,11 +159,19 @@ bool IsInterpolated(vtkAbstractArray* array)
   return vtkDataArray::FastDownCast(array) && (type == VTK_FLOAT || type == VTK_DOUBLE || isColour);
 }
 
+Interpolation HowToInterpolate(vtkAbstractArray* array)
+{
+  return !IsInterpolated(array)                      ? Interpolation::NEAREST
+         : array->GetDataType() == VTK_UNSIGNED_CHAR ? Interpolation::LINEAR
+                                                     : Interpolation::SMOOTH;
+}
+
 vtkSmartPointer<vtkAbstractArray> ArrayTransfer::Add(vtkAbstractArray* array, std::size_t size)
 {
-  Group& group = !IsInterpolated(array)                      ? this->Nearest
-                 : array->GetDataType() == VTK_UNSIGNED_CHAR ? this->Linear
-                                                             : this->Smooth;
+  const Interpolation how = HowToInterpolate(array);
+  Group& group = how == Interpolation::NEAREST  ? this->Nearest
+                 : how == Interpolation::LINEAR ? this->Linear
+                                                : this->Smooth;
   group.from.push_back(array);
   group.to.push_back(CopyFor(array, static_cast<vtkIdType>(size)));
   return group.to.back();
@@ -180,19 +189,44 @@ void ArrayTransfer::Run(const WalkableSurface& surface, const MeshNumbering& num
       this->Nearest.from[k]->GetTuples(nearest, this->Nearest.to[k]);
     }
   }
-  ForEachGroupOfColumns(this->Linear.from, this->Linear.to,
-    [&](const std::vector<Column>& columns)
+  const auto hasMoved = [&](Index i) { return locations[i].triangle >= 0; };
+  const auto transfer = [&](const Group& group, Interpolation how)
+  {
+    ForEachGroupOfColumns(group.from, group.to,
+      [&](const std::vector<Column>& columns)
+      {
+        const Fields fields = FieldsOf(columns, numbering);
+        SetValues(InterpolateFields(surface, fields, locations, how), numbering, hasMoved, columns,
+          how == Interpolation::LINEAR);
+      });
+  };
+  transfer(this->Linear, Interpolation::LINEAR);
+  transfer(this->Smooth, Interpolation::SMOOTH);
+}
+
+vtkSmartPointer<vtkDataArray> ArrayAtPlaces(
+  vtkDataArray* array, int components, const MeshNumbering& numbering, const MoveFields& move)
+{
+  const auto everywhere = [](Index) { return true; };
+  vtkSmartPointer<vtkDataArray> moved;
+  if (array)
+  {
+    moved = vtkDataArray::FastDownCast(CopyFor(array, array->GetNumberOfTuples()));
+  }
+  constexpr int group = Fields::ColsAtCompileTime;
+  for (int first = 0; first < components; first += group)
+  {
+    std::vector<Column> columns;
+    for (int c = first; array && c < std::min(first + group, components); ++c)
     {
-      const Fields fields = FieldsOf(columns, numbering);
-      SetValues(InterpolateLinearly(surface.triangles, fields, locations), numbering, locations,
-        columns, true);
-    });
-  ForEachGroupOfColumns(this->Smooth.from, this->Smooth.to,
-    [&](const std::vector<Column>& columns)
+      columns.push_back({ array, moved, c });
+    }
+    const Fields fields = move(array ? FieldsOf(columns, numbering) : Fields(0, group));
+    if (array)
     {
-      const Fields fields = FieldsOf(columns, numbering);
-      SetValues(
-        InterpolateSmoothly(surface, fields, locations), numbering, locations, columns, false);
-    });
+      SetValues(fields, numbering, everywhere, columns, array->GetDataType() == VTK_UNSIGNED_CHAR);
+    }
+  }
+  return moved;
 }
 }

@@ -3,7 +3,6 @@
 #include "OptimizerSession.h"
 
 #include "FilterSupport.h"
-#include "PointDataInterpolation.h"
 
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
@@ -310,18 +309,6 @@ std::shared_ptr<const lmo::MeshQuantities> vtkLaplacianMeshOptimizer::Session::R
     throw lmo::InputError("The Reference has no triangles. Connect a surface, or nothing.");
   }
   return this->Reference;
-}
-
-void vtkLaplacianMeshOptimizer::Session::AddDataOfReference(
-  vtkPolyData* reference, const lmo::OptimizerResult& result, vtkPolyData* output) const
-{
-  if (this->Reference && this->InterpolatesPointData())
-  {
-    lmo::ResultArrays::AddMissing(reference->GetFieldData(), output->GetFieldData());
-    const lmo::Points positions = this->Numbering.ToPoints(result.positions);
-    lmo::ResultArrays::AddMissing(
-      lmo::PointDataAt(reference, this->ReferenceNumbering, positions), output->GetPointData());
-  }
 }
 
 #ifdef VTK_ABI_NAMESPACE_END

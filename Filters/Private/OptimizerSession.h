@@ -6,6 +6,7 @@
 #include "Core/Optimizer/Optimizer.h"
 #include "JoinedPieces.h"
 #include "MeshFingerprint.h"
+#include "PointDataInterpolation.h"
 #include "ResultArrays.h"
 #include "SurfaceBlocks.h"
 #include "SurfaceExtraction.h"
@@ -63,7 +64,7 @@ public:
     SUM
   };
 
-  /// \param output as lmo::NewOutputFor() makes it for the input
+  /// \param output as lmo::SetOutputFor() makes it for the input
   /// \param pieces in which the whole surface comes
   void Execute(const Inputs& inputs, vtkDataObject* output, int pieces);
 
@@ -94,8 +95,14 @@ protected:
   /// Optimize() with the pieces of this process as the input of one optimizer.
   lmo::SurfacePieces OptimizeJoined(const Job& job, lmo::Joining joining);
 
-  /// True if the whole surface is there on which points find the data of their new places.
-  virtual bool CanInterpolatePointData() const;
+  /// The input's point data at the new places of its points, which slide along the surface.
+  virtual vtkSmartPointer<vtkPointData> PointDataAtNewPlaces(
+    vtkPolyData* input, const lmo::OptimizerResult& result) const;
+
+  /// lmo::FindMovingArrays() and lmo::MoveArrays(), which this module does not export.
+  static std::vector<lmo::MovingArray> FindMovingArrays(vtkPolyData* input);
+  vtkSmartPointer<vtkPointData> MoveArrays(vtkPolyData* input,
+    const std::vector<lmo::MovingArray>& arrays, const lmo::MoveFieldsAs& move) const;
 
   /// Makes the optimizer of the input, unless the one that is there is that of the same mesh:
   /// ParaView touches the input before each execution, so that it seems new.
@@ -168,10 +175,7 @@ private:
   /// \throw InputError if it has no triangles, and as lmo::ReadMesh() does.
   std::shared_ptr<const lmo::MeshQuantities> ReadReference(const Whole& reference);
 
-  /// True if points slide along the surface and should take the point data of their new places.
-  bool WantsInterpolation() const;
-
-  /// True if they do.
+  /// True if points slide along the surface and take the point data of their new places.
   bool InterpolatesPointData() const;
 
   /// The steps of a surface, if the filter is to start from the previous one; else null.

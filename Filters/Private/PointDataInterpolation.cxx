@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <map>
 #include <numeric>
 #include <unordered_map>
 #include <vector>
@@ -176,6 +177,16 @@ void Normalise(
   }
 }
 
+void Normalise(vtkDataArray* normals)
+{
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    Vector3 normal;
+    normals->GetTuple(i, normal.data());
+    normals->SetTuple(i, Vector3(normal.stableNormalized()).data());
+  }
+}
+
 /// Adds the values of an array, which keeps its role.
 void AddArray(vtkPointData* from, int k, vtkAbstractArray* values, vtkPointData* to)
 {
@@ -215,9 +226,46 @@ vtkSmartPointer<vtkPointData> TransferAll(vtkPointData* data, const WalkableSurf
 }
 }
 
-bool HasDataOfPlaces(vtkPointData* data)
+std::vector<MovingArray> FindMovingArrays(vtkPolyData* input)
 {
-  return !InterpolatedArrays(data).empty();
+  vtkPointData* data = input->GetPointData();
+  std::vector<MovingArray> arrays;
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkDataArray* array = data->GetArray(k);
+    if (array && array->GetName() && !StaysWithPoint(data, array) &&
+        array->GetNumberOfTuples() == input->GetNumberOfPoints())
+    {
+      arrays.push_back(
+        { array->GetName(), array->GetNumberOfComponents(), HowToInterpolate(array) });
+    }
+  }
+  return arrays;
+}
+
+vtkSmartPointer<vtkPointData> MoveArrays(vtkPolyData* input, const MeshNumbering& numbering,
+  const std::vector<MovingArray>& arrays, const MoveFieldsAs& move)
+{
+  vtkPointData* data = input->GetPointData();
+  std::map<std::string, vtkSmartPointer<vtkDataArray>> moved;
+  for (const auto& [name, components, how] : arrays)
+  {
+    moved[name] = ArrayAtPlaces(data->GetArray(name.c_str()), components, numbering,
+      [&move, how = how](const Fields& fields) { return move(fields, how); });
+  }
+  auto result = vtkSmartPointer<vtkPointData>::New();
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(k);
+    const auto found = moved.find(array->GetName() ? array->GetName() : "");
+    AddArray(data, k, found == moved.end() ? array : found->second, result);
+  }
+  vtkDataArray* normals = result->GetNormals();
+  if (normals && normals != data->GetNormals() && IsInterpolated(normals))
+  {
+    Normalise(normals);
+  }
+  return result;
 }
 
 vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,

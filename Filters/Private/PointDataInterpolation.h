@@ -3,9 +3,14 @@
 #ifndef PointDataInterpolation_h
 #define PointDataInterpolation_h
 
+#include "Core/Operators/FieldInterpolation.h"
 #include "MeshNumbering.h"
 
 #include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 class vtkPointData;
 class vtkPolyData;
@@ -30,8 +35,24 @@ class MeshQuantities;
 vtkSmartPointer<vtkPointData> InterpolatePointData(vtkPolyData* input, const MeshQuantities& mesh,
   const MeshNumbering& numbering, const Points& positions);
 
-/// True if there are interpolated arrays beside the normals, which can be computed anew.
-bool HasDataOfPlaces(vtkPointData* data);
+/// A point array that does not stay with its points.
+struct MovingArray
+{
+  std::string name;
+  int components;
+  Interpolation how;
+};
+
+/// The numeric arrays with names that do not stay with their points.
+std::vector<MovingArray> FindMovingArrays(vtkPolyData* input);
+
+/// InterpolatePointData() by a function, for a surface of which there is only a piece; strings stay
+/// with their points.
+/// \param arrays of all pieces, in the same order; those that the input lacks count nevertheless
+/// \param move values of the vertices at their new places
+using MoveFieldsAs = std::function<Fields(const Fields&, Interpolation)>;
+vtkSmartPointer<vtkPointData> MoveArrays(vtkPolyData* input, const MeshNumbering& numbering,
+  const std::vector<MovingArray>& arrays, const MoveFieldsAs& move);
 
 /// The point data of a surface with triangles at those of its points that are closest to the
 /// positions, interpolated likewise; without ids and ghost flags.

@@ -5,11 +5,13 @@
 #include "vtkCompositeDataIterator.h"
 #include "vtkDataObjectTree.h"
 #include "vtkDataSet.h"
+#include "vtkInformation.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPartitionedDataSetCollection.h"
 #include "vtkPolyData.h"
 
+#include <cstring>
 #include <utility>
 
 namespace lmo
@@ -79,6 +81,19 @@ private:
   unsigned int NextIndex = 0;
 };
 
+vtkSmartPointer<vtkDataObject> NewOutputFor(vtkDataObject* input)
+{
+  if (vtkDataObjectTree::SafeDownCast(input))
+  {
+    return vtk::TakeSmartPointer(input->NewInstance());
+  }
+  if (vtkCompositeDataSet::SafeDownCast(input))
+  {
+    return vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  }
+  return vtkSmartPointer<vtkPolyData>::New();
+}
+
 /// Of a composite data set that is no tree.
 std::vector<SurfaceBlock> FindLeaves(vtkCompositeDataSet* data)
 {
@@ -114,17 +129,14 @@ std::vector<SurfaceBlock> FindBlocks(vtkDataObject* data)
                 : std::vector<SurfaceBlock>();
 }
 
-vtkSmartPointer<vtkDataObject> NewOutputFor(vtkDataObject* input)
+void SetOutputFor(vtkDataObject* input, vtkInformation* output)
 {
-  if (vtkDataObjectTree::SafeDownCast(input))
+  vtkDataObject* present = vtkDataObject::GetData(output);
+  const auto fitting = NewOutputFor(input);
+  if (!present || std::strcmp(present->GetClassName(), fitting->GetClassName()) != 0)
   {
-    return vtk::TakeSmartPointer(input->NewInstance());
+    output->Set(vtkDataObject::DATA_OBJECT(), fitting);
   }
-  if (vtkCompositeDataSet::SafeDownCast(input))
-  {
-    return vtkSmartPointer<vtkMultiBlockDataSet>::New();
-  }
-  return vtkSmartPointer<vtkPolyData>::New();
 }
 
 void SetParts(vtkDataObject* input, const std::vector<vtkSmartPointer<vtkPolyData>>& parts,

@@ -10,6 +10,7 @@
 
 class vtkDataObject;
 class vtkDataSet;
+class vtkInformation;
 class vtkPolyData;
 
 namespace lmo
@@ -34,9 +35,10 @@ struct SurfaceBlock
 /// The surfaces of a data set or of a composite data set. Blocks without data are left out.
 std::vector<SurfaceBlock> FindBlocks(vtkDataObject* data);
 
-/// An empty output for an input: vtkPolyData for a data set, a composite data set for a composite
-/// one, for AMR a vtkMultiBlockDataSet.
-vtkSmartPointer<vtkDataObject> NewOutputFor(vtkDataObject* input);
+/// Makes an empty output for an input unless there is one of its type: vtkPolyData for a data set,
+/// a composite data set for a composite one, for AMR a vtkMultiBlockDataSet.
+/// \param output information of the output port
+void SetOutputFor(vtkDataObject* input, vtkInformation* output);
 
 /// Gives \a output the structure of \a input.
 /// \param parts the surface of each part that FindBlocks() finds, in that order

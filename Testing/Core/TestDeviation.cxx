@@ -179,7 +179,7 @@ void CheckFeatures(Checks& c)
   }
   c.Error("points on faces, edges and corners of a cube stay on them", error, 1e-12);
   const auto count = [&](double value)
-  { return (outcome.result.featureClass.array() == value).count(); };
+  { return (outcome.result.featureClass->array() == value).count(); };
   c.Equal("a cube has 8 corners and no more", count(FeatureLines::CORNER), 8);
   c.Equal("a cube's edges are found", count(FeatureLines::EDGE), 12 * ((1 << level) - 1));
 }

@@ -153,7 +153,7 @@ Index CountOnFeatures(const TestMesh& mesh)
   OptimizerOptions options = Options(Mode::OPTIMIZE_TRIANGLES);
   options.featureConstraints = true;
   options.featureAngle = 45;
-  return static_cast<Index>((Run(mesh, options).featureClass.array() > 0).count());
+  return static_cast<Index>((Run(mesh, options).featureClass->array() > 0).count());
 }
 
 void CheckCreases(Checks& c)

@@ -167,7 +167,7 @@ void CheckTriangleLimits(Checks& c)
   const SurfaceView plane{ above.plane.V, above.plane.T, above.planeNeighbours };
   DeviationCertificates certificates(FindSeeds(mesh, above.tree, above.monitor));
   const DistanceLimits limits =
-    CertifyInput(certificates, mesh, plane, above.tree, 0.1, above.monitor);
+    CertifyInput(certificates, mesh, {}, plane, above.tree, 0.1, above.monitor);
   constexpr double height = AbovePlane::Height;
   for (Index t = 0; t < static_cast<Index>(above.mesh.T.rows()); ++t)
   {

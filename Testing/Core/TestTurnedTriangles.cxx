@@ -96,7 +96,7 @@ void CheckBars(Checks& c)
       (fixed.positions - bar.V).rightCols(2).cwiseAbs().maxCoeff(), 1e-9 * 10);
     c.True("points slide along the edges of " + name,
       (fixed.positions - bar.V).col(0).cwiseAbs().maxCoeff() > 1e-3 &&
-        (fixed.featureClass.array() == FeatureLines::CORNER).count() == 8);
+        (fixed.featureClass->array() == FeatureLines::CORNER).count() == 8);
   }
 }
 

@@ -3,9 +3,11 @@
 #include "Checks.h"
 #include "FilterTesting.h"
 #include "MeshMeasures.h"
+#include "SurfacePartitions.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"
+#include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -227,6 +229,60 @@ void CheckMixedCells(Checks& c)
       FieldValue(output, "MeanDistance") == filter->GetMeanDistance() &&
       FieldValue(output, "RelativeMeanDistance") == filter->GetRelativeMeanDistance());
 }
+
+/// Two squares, 10 apart, at these heights.
+vtkSmartPointer<vtkMultiBlockDataSet> TwoSquares(double first, double second)
+{
+  auto blocks = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  blocks->SetBlock(0, MakePolyData(Rectangle(1, { 0, 0, first })));
+  blocks->SetBlock(2, MakePolyData(Rectangle(1, { 10, 0, second })));
+  return blocks;
+}
+
+void CheckBlocks(Checks& c)
+{
+  vtkNew<vtkSurfaceDeviation> filter;
+  filter->SetInputData(TwoSquares(0, 0));
+  filter->SetReferenceData(TwoSquares(0.25, 0.5));
+  c.Equal("blocks are compared with blocks", Update(filter).errors, "");
+  c.Error("the largest distance is that of all blocks",
+    std::abs(filter->GetHausdorffDistance() - 0.5), 1e-15);
+  c.Error("the mean is that over the area of all blocks",
+    std::abs(filter->GetMeanDistance() - 0.375), 1e-3);
+  auto* output = vtkMultiBlockDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (const unsigned int k : { 0, 2 })
+  {
+    auto* block = vtkPolyData::SafeDownCast(output->GetBlock(k));
+    c.Error("each point has its distance",
+      LargestMagnitude(PointValues(block, "Distance").array() - (k == 0 ? 0.25 : 0.5)), 1e-15);
+    c.Equal("each block has the figures of all", FieldValue(block, "HausdorffDistance"),
+      filter->GetHausdorffDistance());
+  }
+  filter->SetReferenceData(MakePolyData(Rectangle(1, { 0, 0, 0.25 })));
+  filter->Update();
+  c.AtLeast("one reference serves all blocks", filter->GetHausdorffDistance(), 9);
+}
+
+void CheckPartitions(Checks& c)
+{
+  const TestMesh sphere = Icosphere(3);
+  const TestMesh reference = Icosphere(3, 1.1);
+  const Deviation whole = Measure(sphere, reference);
+  vtkNew<vtkSurfaceDeviation> filter;
+  filter->SetInputData(CutIntoPartitions(MakePolyData(sphere), 3).data);
+  filter->SetReferenceData(CutIntoPartitions(MakePolyData(reference), 2).data);
+  filter->Update();
+  c.Error("partitions are as far apart as the surfaces that they are of",
+    std::abs(filter->GetHausdorffDistance() - whole.hausdorff), 1e-15);
+  c.Error("partitions are as far apart in the mean",
+    std::abs(filter->GetMeanDistance() - whole.mean), 1e-4);
+  auto* output = vtkPartitionedDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  for (unsigned int k = 0; k < 3; ++k)
+  {
+    c.True("the reference is closed, as that of the whole",
+      Part(output, k)->GetPointData()->HasArray("SignedDistance"));
+  }
+}
 }
 
 int TestSurfaceDeviation(int argc, char* argv[])
@@ -239,5 +295,7 @@ int TestSurfaceDeviation(int argc, char* argv[])
   groups.Run("MixedCells", CheckMixedCells);
   groups.Run("OtherInput", CheckOtherInput);
   groups.Run("DegenerateTriangles", CheckDegenerateTriangles);
+  groups.Run("Blocks", CheckBlocks);
+  groups.Run("Partitions", CheckPartitions);
   return groups.Result();
 }

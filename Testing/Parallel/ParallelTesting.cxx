@@ -44,6 +44,14 @@ double MpiJob::Largest(double value)
   return largest;
 }
 
+Points MpiJob::Largest(const Points& values)
+{
+  Points largest(values.rows(), 3);
+  this->Controller->AllReduce(
+    values.data(), largest.data(), values.size(), vtkCommunicator::MAX_OP);
+  return largest;
+}
+
 Cut Sectors(const TestMesh& mesh)
 {
   return [mesh](Index t, int processes)
@@ -207,12 +215,11 @@ void AddGhostCells(PieceOfMesh& piece, vtkPolyData* whole)
 
 namespace
 {
-vtkSmartPointer<vtkDataObject> RunAlone(vtkDataObject* input, bool interpolates, const SetUp& setUp)
+vtkSmartPointer<vtkDataObject> RunAlone(vtkDataObject* input, const SetUp& setUp)
 {
   vtkNew<vtkDummyController> alone;
   vtkNew<vtkPLaplacianMeshOptimizer> filter;
   filter->SetMode(vtkLaplacianMeshOptimizer::OPTIMIZE_TRIANGLES);
-  filter->SetInterpolatePointData(interpolates);
   filter->SetController(alone);
   filter->SetInputDataObject(input);
   setUp(filter);
@@ -223,12 +230,12 @@ vtkSmartPointer<vtkDataObject> RunAlone(vtkDataObject* input, bool interpolates,
 
 vtkSmartPointer<vtkPolyData> OptimizedAlone(vtkPolyData* whole, const SetUp& setUp)
 {
-  return vtkPolyData::SafeDownCast(RunAlone(whole, false, setUp));
+  return vtkPolyData::SafeDownCast(RunAlone(whole, setUp));
 }
 
 vtkSmartPointer<vtkDataObject> OptimizedAlone(vtkPartitionedDataSet* pieces, const SetUp& setUp)
 {
-  return RunAlone(pieces, true, setUp);
+  return RunAlone(pieces, setUp);
 }
 
 namespace

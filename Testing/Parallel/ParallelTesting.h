@@ -26,6 +26,9 @@ public:
   /// The largest over the processes; NaN is the largest.
   double Largest(double value);
 
+  /// The same of each number.
+  lmo::Points Largest(const lmo::Points& values);
+
 private:
   vtkNew<vtkMPIController> Controller;
 };

@@ -98,6 +98,8 @@ std::vector<Case> ConstraintCases()
         } });
     }
   }
+  cases.push_back(
+    { "feature constraints", [](Optimizer* filter) { filter->FeatureConstraintsOn(); } });
   cases.push_back({ "fixed points",
     [](Optimizer* filter) { Choose(filter, Optimizer::FIXED_POINT_ARRAY, "Anchor"); } });
   return cases;
@@ -163,7 +165,7 @@ double DifferenceOf(MpiJob& job, vtkPolyData* whole, const Cut& cut, const SetUp
   const auto precise = [&](Optimizer* filter)
   {
     filter->SetTolerance(1e-12);
-    filter->InterpolatePointDataOff(); // which works in one process only
+    filter->InterpolatePointDataOff(); // closest places are not always unique
     setUp(filter);
   };
   const PieceOfMesh piece = TakePiece(whole, cut, job.Rank(), job.Size());
@@ -201,6 +203,7 @@ int TestDistributedCases(int argc, char* argv[])
     { "a closed surface", Irregular(Icosphere(3), 0.02) },
     { "an open surface", Irregular(HalfSphere(3), 0.02) },
     { "two components and a point", WithIsolatedPoint(Irregular(TwoComponents(), 0.02)) },
+    { "a cube", Irregular(Cube(3), 0.01) },
     { "thin triangles", WithThinTriangles(Irregular(CylinderPatch(2), 0.02)) },
   };
   for (const auto& [meshName, mesh] : meshes)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Checks.h"
+#include "MeshMeasures.h"
 #include "ParallelTesting.h"
 
 #include "vtkCellArray.h"
@@ -21,7 +22,6 @@ using Optimizer = vtkLaplacianMeshOptimizer;
 /// Weights, boundaries and neighbours of neighbours matter in it.
 void Demanding(Optimizer* filter)
 {
-  filter->InterpolatePointDataOff(); // which works in one process only
   filter->SetTolerance(1e-12);
   filter->SetPositionWeighting(Optimizer::LINEAR);
   filter->SetLaplacianWeighting(Optimizer::CDF_COMPLEMENT);
@@ -96,20 +96,42 @@ void CheckNormals(MpiJob& job, Checks& c)
 
 void CheckPointData(MpiJob& job, Checks& c)
 {
-  const TestMesh mesh = Irregular(Icosphere(3), 0.02);
+  const TestMesh mesh = WithThinTriangles(Irregular(Icosphere(4), 0.005));
   const auto surface = MakePolyData(mesh);
-  AddPointArray(surface, "field", mesh.V.col(0));
-  const auto piece = TakePiece(surface, Sectors(mesh), job.Rank(), job.Size()).surface;
+  AddPointArray(surface, "Scalar", (3 * mesh.V.col(0)).array().sin().matrix());
+  Eigen::MatrixXd five(mesh.V.rows(), 5);
+  five << mesh.V, mesh.V.leftCols(2).array().square().matrix();
+  AddPointArray(surface, "Five", five);
+  for (const Cut& cut : { Sectors(mesh), Scattered() })
+  {
+    c.Error("point data are interpolated over the borders of pieces",
+      DifferenceOf(job, surface, cut), 1e-9);
+  }
+}
+
+/// Texture coordinates that end at a seam, on both sides of which a point lies.
+void CheckSeam(MpiJob& job, Checks& c)
+{
+  const auto soup = Soup(Irregular(Icosphere(2), 0.02));
+  const auto surface = MakePolyData(soup);
+  Vector side(soup.V.rows());
+  for (Eigen::Index i = 0; i < side.size(); ++i)
+  {
+    side[i] = static_cast<double>(i % 7);
+  }
+  AddPointArray(surface, "Side", side);
+  const auto piece = TakePiece(surface, Sectors(soup), job.Rank(), job.Size()).surface;
   vtkNew<Optimizer> filter;
   filter->SetMode(Optimizer::OPTIMIZE_TRIANGLES);
   filter->SetInputData(piece);
-  const auto isSaid = [&] {
-    return Update(filter).warnings.find("point data stay with their points") != std::string::npos;
-  };
-  c.Error("a warning says that point data are not interpolated",
-    job.Largest(isSaid() != (job.Size() > 1)), 0);
-  filter->InterpolatePointDataOff();
-  c.Error("unless nobody wants that", job.Largest(isSaid()), 0);
+  const bool isSaid = Update(filter).warnings.find("stay with their points") != std::string::npos;
+  c.Error("a warning says that values on the sides of seams stay with their points",
+    job.Largest(isSaid != (job.Size() > 1)), 0);
+  c.Error("and they do",
+    job.Size() == 1 ? 0
+                    : job.Largest(LargestMagnitude(
+                        PointValues(filter->GetOutput(), "Side") - PointValues(piece, "Side"))),
+    0);
 }
 
 void CheckEmpty(MpiJob& job, Checks& c)
@@ -185,6 +207,7 @@ int TestDistributedInput(int argc, char* argv[])
   CheckCoincidentPoints(job, c);
   CheckNormals(job, c);
   CheckPointData(job, c);
+  CheckSeam(job, c);
   CheckEmpty(job, c);
   CheckGhosts(job, c);
   CheckSecondExecution(job, c);

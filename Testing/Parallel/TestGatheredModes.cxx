@@ -36,7 +36,6 @@ std::vector<Case> ModesWithoutChoices()
   return {
     { "SMOOTH_GUIDED", [](Optimizer* filter) { filter->SetMode(Optimizer::SMOOTH_GUIDED); }, 1e-6 },
     { "RobustLaplacian", [](Optimizer* filter) { filter->RobustLaplacianOn(); } },
-    { "FeatureConstraints", [](Optimizer* filter) { filter->FeatureConstraintsOn(); } },
     { "FeatureSmoothing",
       [](Optimizer* filter)
       {

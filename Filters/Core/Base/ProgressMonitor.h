@@ -35,6 +35,9 @@ public:
     }
   }
 
+  /// The monitor of what this process does on its own, while others do something else.
+  virtual ProgressMonitor& OfThisProcess() { return *this; }
+
 protected:
   virtual void ShowStage(const char*) {}
   virtual void ShowProgress(double) {}

@@ -17,7 +17,7 @@ constexpr double CarriedShare = 0.5;
 }
 
 DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMesh& mesh,
-  const Triangles& neighbours, double distance, ProgressMonitor& monitor)
+  const Triangles& neighbours, const Mask& isSettled, double distance, ProgressMonitor& monitor)
   : Reference(reference)
   , Mesh(mesh)
   , Neighbours(neighbours)
@@ -35,7 +35,7 @@ DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMe
 {
   if (!this->IsOfMesh())
   {
-    this->CertifyBeginning(monitor);
+    this->CertifyBeginning(isSettled, monitor);
   }
   ParallelFor(static_cast<Index>(mesh.T.rows()),
     [this](Index t) {
@@ -43,15 +43,15 @@ DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMe
     });
 }
 
-void DeviationBounds::CertifyBeginning(ProgressMonitor& monitor)
+void DeviationBounds::CertifyBeginning(const Mask& isSettled, ProgressMonitor& monitor)
 {
   const SurfaceView mesh = this->CandidateView();
   this->ToReference = DeviationCertificates(FindSeeds(mesh, this->ReferenceTree, monitor));
-  this->LimitsOfMesh = CertifyInput(
-    this->ToReference, mesh, this->Reference, this->ReferenceTree, this->Distance, monitor);
+  this->LimitsOfMesh = CertifyInput(this->ToReference, mesh, isSettled, this->Reference,
+    this->ReferenceTree, this->Distance, monitor);
   this->ToCandidate = DeviationCertificates(FindSeeds(this->Reference, this->Tree, monitor));
   this->LimitsOfReference =
-    CertifyInput(this->ToCandidate, this->Reference, mesh, this->Tree, this->Distance, monitor);
+    CertifyInput(this->ToCandidate, this->Reference, {}, mesh, this->Tree, this->Distance, monitor);
   this->ToAccepted = this->ToCandidate;
   this->LimitsOfVertices =
     VertexLimits(this->Mesh.candidate, this->ReferenceTree, this->Distance, monitor);

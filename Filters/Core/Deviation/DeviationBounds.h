@@ -20,10 +20,11 @@ public:
   /// Keeps references to the arguments.
   /// \param reference the mesh itself, with the same list of triangles, or another surface
   /// \param neighbours what FindTriangleNeighbours() returned for the mesh
+  /// \param isSettled see PartOfSurface
   /// \param distance that is allowed; what begins farther away may stay as far away as it is
   /// \throw Cancelled if the monitor says so.
   DeviationBounds(const SurfaceView& reference, const CandidateMesh& mesh,
-    const Triangles& neighbours, double distance, ProgressMonitor& monitor);
+    const Triangles& neighbours, const Mask& isSettled, double distance, ProgressMonitor& monitor);
   DeviationBounds(const DeviationBounds&) = delete;
   void operator=(const DeviationBounds&) = delete;
 
@@ -101,7 +102,7 @@ private:
   bool IsOfMesh() const { return &this->Reference.T == &this->Mesh.T; }
 
   /// Certifies where a mesh begins that is not the reference itself.
-  void CertifyBeginning(ProgressMonitor& monitor);
+  void CertifyBeginning(const Mask& isSettled, ProgressMonitor& monitor);
 
   /// Keeps the accepted certificate of a triangle of the reference, if it needs none that has
   /// moved.

@@ -28,13 +28,13 @@ void AddOnce(const std::vector<Index>& more, std::vector<Index>& list, IndexSet&
 
 DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   const MeshTopology& topology, double distance, ProgressMonitor& monitor)
-  : DeviationGuard(V, triangles, topology, { V, triangles, topology }, distance, monitor)
+  : DeviationGuard(V, triangles, topology, { V, triangles, topology }, {}, distance, monitor)
 {
 }
 
 DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, const ReferenceSurface& reference, double distance,
-  ProgressMonitor& monitor)
+  const MeshTopology& topology, const ReferenceSurface& reference, const PartOfSurface& part,
+  double distance, ProgressMonitor& monitor)
   : Topology(topology)
   , Neighbours(FindTriangleNeighbours(triangles, topology))
   , ReferenceNeighbours(&reference.T == &triangles
@@ -43,8 +43,9 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   , Mesh{ triangles, V, V }
   , Bounds({ reference.V, reference.T,
              &reference.T == &triangles ? this->Neighbours : this->ReferenceNeighbours },
-      this->Mesh, this->Neighbours, (1 - Margin) * distance, monitor)
+      this->Mesh, this->Neighbours, part.isSettled, (1 - Margin) * distance, monitor)
   , Shapes(this->Mesh.accepted, this->Mesh.candidate, triangles, topology, this->Neighbours,
+      NormalsToKeep(part.original.rows() > 0 ? part.original : V, triangles),
       SmoothedNormals(reference.V, reference.T, reference.topology))
   , Intersections(triangles, topology)
   , InputPairs(this->Intersections.FindAll(V, this->Bounds.GetTree(), monitor))

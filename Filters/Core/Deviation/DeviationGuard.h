@@ -42,8 +42,10 @@ public:
     double distance, ProgressMonitor& monitor);
 
   /// The same for a mesh that stays near a reference of its own, which has triangles.
+  /// \param part what is known if the mesh is a part of a surface
   DeviationGuard(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const ReferenceSurface& reference, double distance, ProgressMonitor& monitor);
+    const ReferenceSurface& reference, const PartOfSurface& part, double distance,
+    ProgressMonitor& monitor);
   DeviationGuard(const DeviationGuard&) = delete;
   void operator=(const DeviationGuard&) = delete;
 

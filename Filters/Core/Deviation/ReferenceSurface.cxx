@@ -39,11 +39,15 @@ double LargestSampledDistance(const TriangleCorners& triangle, const TriangleBvh
 }
 
 DistanceLimits CertifyInput(DeviationCertificates& certificates, const SurfaceView& from,
-  const SurfaceView& to, TriangleBvh& tree, double distance, ProgressMonitor& monitor)
+  const Mask& isSettled, const SurfaceView& to, TriangleBvh& tree, double distance,
+  ProgressMonitor& monitor)
 {
   DistanceLimits limits(distance, static_cast<Index>(from.T.rows()));
   std::vector<Index> open(tree.IsEmpty() ? 0 : from.T.rows());
   std::iota(open.begin(), open.end(), Index(0));
+  open.erase(std::remove_if(open.begin(), open.end(),
+               [&](Index t) { return !isSettled.empty() && isSettled[t]; }),
+    open.end());
   std::vector<double> base;
   for (double excess = FirstExcess;; excess *= 2)
   {

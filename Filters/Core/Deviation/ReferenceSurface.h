@@ -16,14 +16,23 @@ struct ReferenceSurface
   const MeshTopology& topology;
 };
 
+/// What is known of a mesh that is a part of a surface of which the rest has moved already.
+struct PartOfSurface
+{
+  Points original; ///< where the vertices were before; no rows if that is where they are
+  Mask isSettled;  ///< triangles that stay, and of which others know the distance; empty: none
+};
+
 /// Certifies that each triangle of one mesh is near another mesh before anything moves: within the
 /// distance, or else within a limit of its own, hardly larger than how far it is.
 /// \param certificates those of \a from, with any seeds
+/// \param isSettled triangles of \a from that need no certificate; empty: none
 /// \param tree of \a to, which has triangles
 /// \return the limits
 /// \throw Cancelled if the monitor says so.
 DistanceLimits CertifyInput(DeviationCertificates& certificates, const SurfaceView& from,
-  const SurfaceView& to, TriangleBvh& tree, double distance, ProgressMonitor& monitor);
+  const Mask& isSettled, const SurfaceView& to, TriangleBvh& tree, double distance,
+  ProgressMonitor& monitor);
 
 /// For each triangle of \a from, the triangle of the tree that is closest to its centre.
 /// \throw Cancelled if the monitor says so.

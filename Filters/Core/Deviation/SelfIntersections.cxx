@@ -189,6 +189,7 @@ IntersectionReport ReportIntersections(
 {
   IntersectionReport report;
   report.isKnown = true;
+  report.pairsBefore = before;
   report.before = static_cast<std::int64_t>(before.size());
   report.after = static_cast<std::int64_t>(after.size());
   report.isIntersecting.assign(triangles, false);

@@ -55,7 +55,8 @@ private:
 /// The pairs before and after.
 struct IntersectionReport
 {
-  bool isKnown = false;    ///< pairs were searched for
+  bool isKnown = false; ///< pairs were searched for
+  std::vector<TrianglePair> pairsBefore;
   std::int64_t before = 0; ///< number of pairs
   std::int64_t after = 0;
   std::int64_t added = 0; ///< pairs after, and not before

@@ -86,13 +86,13 @@ Points NormalsToKeep(const Points& V, const Triangles& triangles)
 
 TriangleValidity::TriangleValidity(const Points& accepted, const Points& candidate,
   const Triangles& triangles, const MeshTopology& topology, const Triangles& neighbours,
-  Points referenceNormals)
+  Points originalNormals, Points referenceNormals)
   : AcceptedPoints(accepted)
   , CandidatePoints(candidate)
   , T(triangles)
   , Topology(topology)
   , Neighbours(neighbours)
-  , OriginalNormals(NormalsToKeep(accepted, triangles))
+  , OriginalNormals(std::move(originalNormals))
   , ReferenceNormals(std::move(referenceNormals))
   , AcceptedNormals(triangles.rows(), 3)
   , Normals(triangles.rows(), 3)

@@ -28,13 +28,15 @@ inline bool HasTurnedOver(const Vector3& normalToKeep, const Vector3& normal)
 class TriangleValidity
 {
 public:
-  /// Keeps references to the arguments. The candidate has to be accepted first.
+  /// Keeps references to the arguments, but for normals. The candidate has to be accepted first.
   /// \param accepted positions
   /// \param candidate positions, equal at first
   /// \param neighbours what FindTriangleNeighbours() returned
+  /// \param originalNormals NormalsToKeep() of the original mesh
   /// \param referenceNormals SmoothedNormals() of the surface that the mesh lies on
   TriangleValidity(const Points& accepted, const Points& candidate, const Triangles& triangles,
-    const MeshTopology& topology, const Triangles& neighbours, Points referenceNormals);
+    const MeshTopology& topology, const Triangles& neighbours, Points originalNormals,
+    Points referenceNormals);
 
   /// t of the accepted triangles; those of a polygon have its quality.
   const Vector& GetAcceptedQuality() const { return this->AcceptedQuality; }

@@ -86,10 +86,10 @@ class EdgeAngles
 {
 public:
   EdgeAngles(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const Vector& quality, double angle)
+    const Vector& quality, double angle, const Subdomain& subdomain)
     : T(triangles)
     , Topology(topology)
-    , Normals(V, triangles, topology, quality, angle)
+    , Normals(V, triangles, topology, quality, angle, subdomain)
   {
   }
 
@@ -185,76 +185,92 @@ AdjacencyLists DropOwnCorners(const AdjacencyLists& edges, const Points& V,
     });
 }
 
-/// Connected edges.
-struct Group
+/// What is counted of connected edges.
+enum Tally
 {
-  Index ends = 0;      ///< twice the number of edges
-  Index solidEnds = 0; ///< the same without those beside thin triangles
-  Index freeEnds = 0;  ///< vertices at which a line ends inside the surface
-  Index junctions = 0; ///< vertices of more than two edges
-  Index corners = 0;
-  Index inner = 0; ///< vertices inside lines
-  double angleBeside = 0;
-  Index beside = 0;   ///< other edges at the vertices
-  Index inPlanes = 0; ///< and those of them that lie in a plane
-
-  bool IsFeature(double angle) const
-  {
-    const bool isWhole = this->freeEnds == 0;
-    const bool isLoop = isWhole && this->junctions == 0;
-    const bool isLine = 4 * this->corners <= this->inner;
-    const double flat = isLoop ? FlatShare : std::min(FlatShare, this->ends * FlatSharePerEnd);
-    const bool isBesideFlat = this->angleBeside < flat * angle * this->beside;
-    const bool isBesidePlanes = 2 * this->inPlanes >= this->beside;
-    return (isWhole || this->solidEnds >= 2 * FewestEdges) &&
-           (isLine || isBesideFlat || isBesidePlanes);
-  }
+  ENDS,         ///< twice the number of edges
+  SOLID_ENDS,   ///< the same without those beside thin triangles
+  FREE_ENDS,    ///< vertices at which a line ends inside the surface
+  JUNCTIONS,    ///< vertices of more than two edges
+  CORNERS,      ///< vertices
+  INNER,        ///< vertices inside lines
+  ANGLE_BESIDE, ///< sum over the other edges at the vertices
+  BESIDE,       ///< number of these
+  IN_PLANES,    ///< those of them that lie in a plane
+  TALLIES
 };
 
-/// Drops the groups of connected edges that are no feature.
-AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const MeshTopology& topology,
-  const EdgeAngles& angles, double angle)
+/// \param group a row of tallies
+template <typename Tallies>
+bool IsFeature(const Tallies& group, double angle)
 {
-  const std::vector<Index> groupOf = ConnectedComponents(edges);
-  const FeatureLines lines = ClassifyLines(std::make_shared<AdjacencyLists>(edges), V);
-  std::vector<Group> groups(topology.vertices);
+  const bool isWhole = group[FREE_ENDS] == 0;
+  const bool isLoop = isWhole && group[JUNCTIONS] == 0;
+  const bool isLine = 4 * group[CORNERS] <= group[INNER];
+  const double flat = isLoop ? FlatShare : std::min(FlatShare, group[ENDS] * FlatSharePerEnd);
+  const bool isBesideFlat = group[ANGLE_BESIDE] < flat * angle * group[BESIDE];
+  const bool isBesidePlanes = 2 * group[IN_PLANES] >= group[BESIDE];
+  return (isWhole || group[SOLID_ENDS] >= 2 * FewestEdges) &&
+         (isLine || isBesideFlat || isBesidePlanes);
+}
+
+/// The tallies of each connected component of the edges.
+Eigen::ArrayXXd CountGroups(const AdjacencyLists& edges, const std::vector<Index>& groupOf,
+  const FeatureLines& lines, const MeshTopology& topology, const EdgeAngles& angles, double angle,
+  const Subdomain& subdomain)
+{
+  const Index count = groupOf.empty() ? 0 : *std::max_element(groupOf.begin(), groupOf.end()) + 1;
+  Eigen::ArrayXXd groups = Eigen::ArrayXXd::Zero(count, TALLIES);
   for (Index i = 0; i < topology.vertices; ++i)
   {
-    if (edges.Size(i) > 0)
+    if (edges.Size(i) > 0 && subdomain.OwnsVertex(i))
     {
-      Group& group = groups[groupOf[i]];
-      group.ends += edges.Size(i);
-      group.freeEnds += edges.Size(i) == 1 && !topology.isBoundary[i];
-      group.solidEnds += std::count_if(
-        edges.Begin(i), edges.End(i), [&](Index j) { return !angles.IsBesideThin(i, j); });
-      group.junctions += edges.Size(i) > 2;
-      group.corners += lines.pointClass[i] == FeatureLines::CORNER;
-      group.inner += lines.pointClass[i] == FeatureLines::EDGE;
+      auto group = groups.row(groupOf[i]);
+      group[ENDS] += edges.Size(i);
+      group[FREE_ENDS] += edges.Size(i) == 1 && !topology.isBoundary[i];
+      group[SOLID_ENDS] += static_cast<double>(std::count_if(
+        edges.Begin(i), edges.End(i), [&](Index j) { return !angles.IsBesideThin(i, j); }));
+      group[JUNCTIONS] += edges.Size(i) > 2;
+      group[CORNERS] += lines.pointClass[i] == FeatureLines::CORNER;
+      group[INNER] += lines.pointClass[i] == FeatureLines::EDGE;
       for (const Index j : topology.oneRings[i])
       {
         if (!Contains(edges, i, j))
         {
           const double angleBeside = angles(i, j);
-          group.angleBeside += angleBeside;
-          group.inPlanes += angleBeside < PlaneShare * angle;
-          ++group.beside;
+          group[ANGLE_BESIDE] += angleBeside;
+          group[IN_PLANES] += angleBeside < PlaneShare * angle;
+          ++group[BESIDE];
         }
       }
     }
   }
-  return ChooseEdges(topology,
-    [&](Index i, Index j) { return Contains(edges, i, j) && groups[groupOf[i]].IsFeature(angle); });
+  subdomain.SumOverComponents(groupOf, groups);
+  return groups;
+}
+
+/// Drops the groups of connected edges that are no feature.
+AdjacencyLists DropNoise(const AdjacencyLists& edges, const Points& V, const MeshTopology& topology,
+  const EdgeAngles& angles, double angle, const Subdomain& subdomain)
+{
+  const std::vector<Index> groupOf = ConnectedComponents(edges);
+  const FeatureLines lines = ClassifyLines(std::make_shared<AdjacencyLists>(edges), V);
+  const Eigen::ArrayXXd groups =
+    CountGroups(edges, groupOf, lines, topology, angles, angle, subdomain);
+  return ChooseEdges(topology, [&](Index i, Index j)
+    { return Contains(edges, i, j) && IsFeature(groups.row(groupOf[i]), angle); });
 }
 }
 
 AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, const Vector& quality, double angle)
+  const MeshTopology& topology, const Vector& quality, double angle, const Subdomain& subdomain)
 {
   const double radians = angle * Pi / 180;
-  const EdgeAngles angles(V, triangles, topology, quality, radians);
+  const EdgeAngles angles(V, triangles, topology, quality, radians, subdomain);
   const AdjacencyLists sharp =
     ChooseEdges(topology, [&](Index i, Index j) { return angles.IsSharp(i, j, radians); });
-  return DropNoise(DropOwnCorners(sharp, V, triangles, topology), V, topology, angles, radians);
+  return DropNoise(
+    DropOwnCorners(sharp, V, triangles, topology), V, topology, angles, radians, subdomain);
 }
 
 AdjacencyLists EdgesBetweenLabels(

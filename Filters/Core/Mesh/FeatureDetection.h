@@ -3,7 +3,7 @@
 #ifndef lmo_FeatureDetection_h
 #define lmo_FeatureDetection_h
 
-#include "Core/Mesh/MeshTopology.h"
+#include "Core/Mesh/Subdomain.h"
 
 namespace lmo
 {
@@ -18,8 +18,10 @@ namespace lmo
 ///   other edge pins the corner.
 /// \param angle in degrees, 0 to 180
 /// \param quality t of each triangle
+/// \param subdomain of which the mesh is the part; right are the edges at vertices that are owned
 AdjacencyLists DetectFeatureEdges(const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, const Vector& quality, double angle);
+  const MeshTopology& topology, const Vector& quality, double angle,
+  const Subdomain& subdomain = Subdomain());
 
 /// The edges between triangles with different labels.
 AdjacencyLists EdgesBetweenLabels(

@@ -13,6 +13,17 @@ Mask Subdomain::OwnedOf(Mask mask) const
   return mask;
 }
 
+Eigen::AlignedBox3d Subdomain::Unite(const Eigen::AlignedBox3d& box) const
+{
+  Eigen::AlignedBox3d united;
+  for (int c = 0; c < 3; ++c)
+  {
+    united.min()[c] = -this->Maximum(-box.min()[c]);
+    united.max()[c] = this->Maximum(box.max()[c]);
+  }
+  return united;
+}
+
 double Subdomain::Quantile(std::vector<double> values, double q) const
 {
   return lmo::Quantile(std::move(values), q);
@@ -24,6 +35,8 @@ Vector Subdomain::CumulativeShares(const Vector& values, const Mask& counts) con
 }
 
 void Subdomain::UniteFlags(const std::vector<Index>&, Mask&) const {}
+
+void Subdomain::SumOverComponents(const std::vector<Index>&, Eigen::ArrayXXd&) const {}
 
 void Subdomain::ProjectOntoLines(const FeatureLines& features, const Points& V, Points& moved) const
 {

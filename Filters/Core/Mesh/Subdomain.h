@@ -6,6 +6,8 @@
 #include "Core/Base/EmpiricalDistribution.h"
 #include "Core/Mesh/FeatureLines.h"
 
+#include <Eigen/Geometry>
+
 namespace lmo
 {
 /// The part of a mesh that this process holds, and what it asks of the other processes. This class
@@ -32,6 +34,9 @@ public:
   virtual Eigen::Array4d Sum(const Eigen::Array4d& values) const { return values; }
   virtual double Maximum(double value) const { return value; }
 
+  /// Bounding box over the processes.
+  Eigen::AlignedBox3d Unite(const Eigen::AlignedBox3d& box) const;
+
   /// The norm of a vector from the norm of this process's part.
   virtual double Norm(double part) const { return part; }
 
@@ -53,6 +58,13 @@ public:
   /// \param component connected component, within this process, of each vertex
   /// \param flags one for each component
   virtual void UniteFlags(const std::vector<Index>& component, Mask& flags) const;
+
+  /// Sums the values of components that are connected through other processes: each gets the sum of
+  /// all of them.
+  /// \param component connected component, within this process, of each vertex
+  /// \param values a row for each component, of the vertices and triangles that are owned
+  virtual void SumOverComponents(
+    const std::vector<Index>& component, Eigen::ArrayXXd& values) const;
 
   /// ProjectOntoLines() for the vertices that are owned, along lines that may lead through several
   /// processes.

@@ -145,24 +145,26 @@ private:
 };
 }
 
-double RoundOffOf(const Points& V, const MeshTopology& topology)
+double RoundOffOf(const Points& V, const MeshTopology& topology, const Subdomain& subdomain)
 {
   constexpr double single = std::numeric_limits<float>::epsilon() / 2;
   constexpr double precise = std::numeric_limits<double>::epsilon() / 2;
-  const double largest = V.size() > 0 ? V.cwiseAbs().maxCoeff() : 0;
+  const double largest = subdomain.Maximum(V.size() > 0 ? V.cwiseAbs().maxCoeff() : 0);
   const bool areSingle =
     V.size() == 0 || (V.array() == V.cast<float>().cast<double>().array()).all();
-  return areSingle ? single * largest
-                   : std::max(single * BoundingBoxDiagonal(V, topology), precise * largest);
+  const Eigen::AlignedBox3d box = subdomain.Unite(BoundingBox(V, topology));
+  const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
+  return subdomain.Maximum(!areSingle) == 0 ? single * largest
+                                            : std::max(single * diagonal, precise * largest);
 }
 
 SurfaceNormals::SurfaceNormals(const Points& V, const Triangles& triangles,
-  const MeshTopology& topology, const Vector& quality, double angle)
+  const MeshTopology& topology, const Vector& quality, double angle, const Subdomain& subdomain)
   : Own(triangles.rows(), 3)
   , Errors(triangles.rows())
   , Thin(triangles.rows())
 {
-  const double roundOff = RoundOffOf(V, topology);
+  const double roundOff = RoundOffOf(V, topology, subdomain);
   const auto count = static_cast<Index>(triangles.rows());
   ParallelFor(count,
     [&](Index t)

@@ -3,7 +3,7 @@
 #ifndef lmo_SurfaceNormals_h
 #define lmo_SurfaceNormals_h
 
-#include "Core/Mesh/MeshTopology.h"
+#include "Core/Mesh/Subdomain.h"
 
 namespace lmo
 {
@@ -20,7 +20,7 @@ public:
   /// \param quality t of each triangle
   /// \param angle in radians, by which flush triangles differ at most
   SurfaceNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-    const Vector& quality, double angle);
+    const Vector& quality, double angle, const Subdomain& subdomain);
 
   bool IsThin(Index t) const { return this->Thin[t]; }
 
@@ -40,7 +40,7 @@ private:
 /// Round-off of the coordinates: half a unit in the last place of a number in single precision,
 /// which they have or had at some time, of the size of the mesh; of the size of the coordinates if
 /// they are such numbers.
-double RoundOffOf(const Points& V, const MeshTopology& topology);
+double RoundOffOf(const Points& V, const MeshTopology& topology, const Subdomain& subdomain);
 }
 
 #endif

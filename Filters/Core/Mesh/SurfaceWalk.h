@@ -20,6 +20,14 @@ struct SurfaceLocation
 {
   Index triangle = -1; ///< -1 if there is none
   Vector3 weights;     ///< barycentric coordinates: of the triangle's corners, >= 0, with sum 1
+
+  /// The corner with the largest weight, 0 to 2.
+  Index NearestCorner() const
+  {
+    Index corner = 0;
+    this->weights.maxCoeff(&corner);
+    return corner;
+  }
 };
 
 /// Finds the point of a surface that is closest to \a x near one of its vertices: begins with the

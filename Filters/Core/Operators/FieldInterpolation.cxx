@@ -166,6 +166,15 @@ FieldValues SmoothAt(const WalkableSurface& surface, const Fields& fields,
   value += correction.min(rise).max(fall);
   return value.max(lowest).min(highest); // round-off must not lead out of the range
 }
+
+std::vector<SurfaceLocation> AtNearestCorners(std::vector<SurfaceLocation> locations)
+{
+  for (SurfaceLocation& location : locations)
+  {
+    location.weights = Vector3::Unit(location.NearestCorner());
+  }
+  return locations;
+}
 }
 
 Fields InterpolateLinearly(
@@ -201,6 +210,20 @@ Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
                                                  : FieldValues(FieldValues::Zero());
     });
   return result;
+}
+
+Fields InterpolateFields(const WalkableSurface& surface, const Fields& fields,
+  const std::vector<SurfaceLocation>& locations, Interpolation how)
+{
+  switch (how)
+  {
+    case Interpolation::SMOOTH:
+      return InterpolateSmoothly(surface, fields, locations);
+    case Interpolation::LINEAR:
+      return InterpolateLinearly(surface.triangles, fields, locations);
+    default:
+      return InterpolateLinearly(surface.triangles, fields, AtNearestCorners(locations));
+  }
 }
 
 Points MoveWithSurface(const WalkableSurface& before, const Points& after, const Points& positions)

@@ -28,6 +28,16 @@ Fields InterpolateLinearly(
 Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations);
 
+enum class Interpolation
+{
+  SMOOTH,
+  LINEAR,
+  NEAREST ///< the values of the corner with the largest weight
+};
+
+Fields InterpolateFields(const WalkableSurface& surface, const Fields& fields,
+  const std::vector<SurfaceLocation>& locations, Interpolation how);
+
 /// Where positions near a surface are when it has moved: each moves as the place of the surface
 /// that is closest to it.
 /// \param after the surface's vertices after the motion

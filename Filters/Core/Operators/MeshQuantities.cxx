@@ -8,21 +8,6 @@
 
 namespace lmo
 {
-namespace
-{
-/// Bounding box over the processes.
-Eigen::AlignedBox3d Unite(const Eigen::AlignedBox3d& box, const Subdomain& subdomain)
-{
-  Eigen::AlignedBox3d united;
-  for (int c = 0; c < 3; ++c)
-  {
-    united.min()[c] = -subdomain.Maximum(-box.min()[c]);
-    united.max()[c] = subdomain.Maximum(box.max()[c]);
-  }
-  return united;
-}
-}
-
 MeshQuantities::MeshQuantities(
   Points V, Triangles triangles, Polygons polygons, std::shared_ptr<const Subdomain> subdomain)
   : V(std::move(V))
@@ -30,7 +15,7 @@ MeshQuantities::MeshQuantities(
   , Topology(std::make_shared<MeshTopology>(
       BuildTopology(static_cast<Index>(this->V.rows()), this->T, std::move(polygons))))
   , Domain(std::move(subdomain))
-  , Box(Unite(BoundingBox(this->V, *this->Topology), *this->Domain))
+  , Box(this->Domain->Unite(BoundingBox(this->V, *this->Topology)))
 {
 }
 

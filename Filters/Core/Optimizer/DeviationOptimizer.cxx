@@ -53,7 +53,7 @@ public:
     , Features(*plan.lines)
     , Distance(LargestDistance(mesh, plan))
     , Guard(mesh.GetPoints(), mesh.GetTriangles(), mesh.GetTopology(), ReferenceOf(mesh, plan),
-        this->Distance, monitor)
+        plan.part, this->Distance, monitor)
     , InputQuality(MeanOf(this->Guard.GetAcceptedQuality()))
     , Problem(std::move(plan.problem))
     , Cumulative(std::move(this->Problem.position.weights))
@@ -69,6 +69,12 @@ public:
 
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
+
+  /// Between which the feature lines run.
+  const Points& OriginalPoints() const
+  {
+    return this->Plan.part.original.rows() > 0 ? this->Plan.part.original : this->Mesh.GetPoints();
+  }
 
   void SetPositionWeights()
   {
@@ -156,7 +162,7 @@ double Passes::CentreAt(Index i) const
 Vector3 Passes::Place(Index i, const Vector3& position) const
 {
   const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
-                           ? ProjectOntoLine(this->Features, this->Mesh.GetPoints(), i, position)
+                           ? ProjectOntoLine(this->Features, this->OriginalPoints(), i, position)
                            : position;
   return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
 }

@@ -166,7 +166,7 @@ double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, c
     return certified + DistanceRoundOff(mesh, plan);
   }
   const double displacement =
-    LargestDisplacement(mesh.GetPoints(), guard.GetAccepted(), mesh.GetSubdomain());
+    LargestDisplacement(mesh.GetPoints(), guard.GetAccepted(), Subdomain());
   return displacement > 0 && certified > 0
            ? std::min(certified + DistanceRoundOff(mesh, plan), displacement)
            : 0;

@@ -96,6 +96,11 @@ const CotangentQuantities& Optimizer::ChooseQuantities(bool isRobust)
   return *this->Quantities;
 }
 
+ModeResult Optimizer::OptimizeWithin(RunPlan& plan, ProgressMonitor& monitor)
+{
+  return OptimizeWithinDeviation(this->Mesh, plan, monitor);
+}
+
 OptimizerResult Optimizer::Run(
   const OptimizerOptions& options, const VertexArrays& arrays, ProgressMonitor& monitor)
 {
@@ -109,7 +114,7 @@ OptimizerResult Optimizer::Run(
   switch (options.mode)
   {
     case Mode::OPTIMIZE_WITHIN_DEVIATION:
-      result = OptimizeWithinDeviation(this->Mesh, plan, monitor);
+      result = this->OptimizeWithin(plan, monitor);
       break;
     case Mode::SMOOTH_GUIDED:
       result = SmoothGuided(this->Mesh, plan, monitor);

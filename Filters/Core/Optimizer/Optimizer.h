@@ -14,9 +14,9 @@ namespace lmo
 /// What a run returns, with a row for each vertex.
 struct OptimizerResult : ModeResult
 {
-  Points displacements;         ///< V' - V
-  Vector meanCurvatures;        ///< kappa of the input
-  Vector featureClass;          ///< FeatureLines::Class of each vertex; no rows without features
+  Points displacements;               ///< V' - V
+  Vector meanCurvatures;              ///< kappa of the input
+  std::optional<Vector> featureClass; ///< FeatureLines::Class of each vertex; none without features
   Points normals;               ///< vertex normals of V', 0 where undefined; no rows if not wanted
   SurfaceComparison comparison; ///< of V and V'
   VolumeLoss volumeLoss;        ///< of the smoothing modes
@@ -54,6 +54,10 @@ public:
 
   /// How many quantities have been computed so far.
   int GetNumberOfParts() const;
+
+protected:
+  /// Mode::OPTIMIZE_WITHIN_DEVIATION.
+  virtual ModeResult OptimizeWithin(RunPlan& plan, ProgressMonitor& monitor);
 
 private:
   /// The quantities of a choice of weights.

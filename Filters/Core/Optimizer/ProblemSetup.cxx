@@ -58,8 +58,8 @@ AdjacencyLists FeatureEdges(
     const Vector quality = mesh.GetPolygons().IsEmpty()
                              ? mesh.GetQuality()->triangles
                              : RadiusRatios(mesh.GetPoints(), mesh.GetTriangles());
-    return DetectFeatureEdges(
-      mesh.GetPoints(), mesh.GetTriangles(), topology, quality, options.featureAngle);
+    return DetectFeatureEdges(mesh.GetPoints(), mesh.GetTriangles(), topology, quality,
+      options.featureAngle, mesh.GetSubdomain());
   }
   AdjacencyLists none;
   none.offsets.assign(topology.vertices + 1, 0);

@@ -3,6 +3,7 @@
 #ifndef lmo_RunPlan_h
 #define lmo_RunPlan_h
 
+#include "Core/Deviation/ReferenceSurface.h"
 #include "Core/Deviation/SelfIntersections.h"
 #include "Core/LeastSquares/LeastSquaresProblem.h"
 #include "Core/Mesh/FeatureLines.h"
@@ -24,13 +25,14 @@ struct RunPlan
 {
   OptimizerOptions options;
   std::shared_ptr<const CotangentWeights> weights; ///< those of L; null if it is L_u
-  Vector featureClass; ///< FeatureLines::Class of each vertex; no rows without features
-  std::optional<FeatureLines> lines; ///< along which vertices slide
+  std::optional<Vector> featureClass; ///< FeatureLines::Class of each vertex; none without features
+  std::optional<FeatureLines> lines;  ///< along which vertices slide
   Points start; ///< V with smoothed curves, which \a problem starts from; no rows if that is V
   EnclosedRegions regions; ///< whose volumes are preserved; none if that is not wanted
   VertexFreedom freedom;
   std::shared_ptr<const MeshQuantities> reference; ///< to stay near; null: the mesh as it is
   std::shared_ptr<const EarlierStep> earlier;      ///< to start from; null: from the mesh as it is
+  PartOfSurface part;                              ///< for OPTIMIZE_WITHIN_DEVIATION of a part
   LeastSquaresProblem problem; ///< the first one that the mode solves, with the constraints
   ProblemSolver solve;
 };
