@@ -172,8 +172,8 @@ public:
    * not fall, and no additional triangle is inverted or folded. If you abort the filter, the output
    * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
    * normals of the triangles and lets the triangles follow them, three times; it has weights of its
-   * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays; in several
-   * processes, one of them gathers the whole surface for it. Default: OPTIMIZE_WITHIN_DEVIATION.
+   * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays.
+   * Default: OPTIMIZE_WITHIN_DEVIATION.
    */
   vtkSetMacro(Mode, int);
   vtkGetMacro(Mode, int);
@@ -521,8 +521,9 @@ public:
    * the point normals are interpolated too, with unit length, instead of computed anew.
    * Other arrays take the values of the nearest corner. Global, pedigree and original ids and ghost
    * flags stay with the point, and cell data with their cells. Off: all point data stay with their
-   * points, and fields are displaced with them; so it is in OPTIMIZE_TRIANGLES over several
-   * processes in either case, and a warning says so. Default: on.
+   * points, and fields are displaced with them. On several processes, strings stay with their
+   * points in either case, and so do arrays with several values at one place, of which a warning
+   * tells. Default: on.
    */
   vtkSetMacro(InterpolatePointData, vtkTypeBool);
   vtkGetMacro(InterpolatePointData, vtkTypeBool);

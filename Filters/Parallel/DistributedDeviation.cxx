@@ -23,7 +23,7 @@ constexpr double FirstShare = 0.995;
 class TwoSteps
 {
 public:
-  TwoSteps(const MeshQuantities& mesh, const DistributedSubdomain& subdomain, const RunPlan& plan)
+  TwoSteps(const MeshQuantities& mesh, const DistributedSubdomain& subdomain, RunPlan& plan)
     : Mesh(mesh)
     , T(mesh.GetTriangles())
     , Domain(subdomain)
@@ -52,18 +52,27 @@ public:
 private:
   void MoveInner(ProgressMonitor& monitor)
   {
-    RunPlan inner = this->Plan;
-    inner.options.deviation.maximum *= FirstShare;
+    // What the seam needs of the problem is kept, the rest would be memory twice.
+    DisplacementConstraints constraints;
+    constraints.freedom = this->Plan.problem.constraints.freedom;
+    constraints.freeAxes = this->Plan.problem.constraints.freeAxes;
+    Vector positionWeights = this->Plan.problem.position.weights;
+    double& maximum = this->Plan.options.deviation.maximum;
+    const double wanted = maximum;
+    maximum *= FirstShare;
     for (Index i = 0; i < static_cast<Index>(this->IsInner.size()); ++i)
     {
       if (!this->IsInner[i])
       {
-        inner.problem.constraints.freedom[i] = DisplacementConstraints::FIXED;
+        this->Plan.problem.constraints.freedom[i] = DisplacementConstraints::FIXED;
       }
     }
-    this->Comm.Try(
-      [&] { this->Result = OptimizeWithinDeviation(this->Mesh, inner, monitor.OfThisProcess()); });
+    this->Comm.Try([&]
+      { this->Result = OptimizeWithinDeviation(this->Mesh, this->Plan, monitor.OfThisProcess()); });
     this->UpdateGhosts();
+    maximum = wanted;
+    this->Plan.problem.constraints = std::move(constraints);
+    this->Plan.problem.position.weights = std::move(positionWeights);
   }
 
   SeamResult MoveSeam(ProgressMonitor& monitor)
@@ -186,7 +195,7 @@ private:
   const Triangles& T;
   const DistributedSubdomain& Domain;
   const Communicator& Comm;
-  const RunPlan& Plan;
+  RunPlan& Plan;
   const double Distance;
   const Vector IsInner;
   ModeResult Result;
@@ -194,7 +203,7 @@ private:
 }
 
 ModeResult OptimizeWithinDeviation(const MeshQuantities& mesh,
-  const DistributedSubdomain& subdomain, const RunPlan& plan, ProgressMonitor& monitor)
+  const DistributedSubdomain& subdomain, RunPlan& plan, ProgressMonitor& monitor)
 {
   return TwoSteps(mesh, subdomain, plan).Run(monitor);
 }

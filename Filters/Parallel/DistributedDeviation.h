@@ -20,10 +20,11 @@ namespace lmo
 /// - Surfaces of two processes cannot meet in the first step, since they are farther apart than
 ///   both can move. Process 0 sees that this is so, and has all triangles that its own can meet.
 /// Collective.
-/// \param plan of this process's part of the mesh, with what each vertex may do in the whole
+/// \param plan of this process's part of the mesh, with what each vertex may do in the whole; its
+///   problem is moved from
 /// \return the positions of all vertices of the part; figures of the whole surface
 ModeResult OptimizeWithinDeviation(const MeshQuantities& mesh,
-  const DistributedSubdomain& subdomain, const RunPlan& plan, ProgressMonitor& monitor);
+  const DistributedSubdomain& subdomain, RunPlan& plan, ProgressMonitor& monitor);
 }
 
 #endif

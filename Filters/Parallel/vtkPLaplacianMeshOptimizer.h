@@ -18,9 +18,10 @@
  * pieces, too.
  *
  * What needs the whole surface is done by process 0, which gathers the pieces, optimizes them as
- * one process does, and hands the results back: OPTIMIZE_WITHIN_DEVIATION, SMOOTH_GUIDED,
- * RobustLaplacian, FeatureConstraints, FeatureSmoothing, BoundaryCondition CURVE, PreserveVolume
- * and CheckSelfIntersections. All else is done where the pieces are.
+ * one process does, and hands the results back: SMOOTH_GUIDED, RobustLaplacian, FeatureSmoothing,
+ * BoundaryCondition CURVE, PreserveVolume, CheckSelfIntersections, and OPTIMIZE_WITHIN_DEVIATION
+ * of fewer than 20,000 points for each process, of polygons, with a Reference, with labels of cells
+ * as features, and with StartFromPreviousTimeStep. All else is done where the pieces are.
  *
  * Every process has to execute the filter, with the same properties. An error in one process is an
  * error in all. The metrics, on every process, are those of the whole surface. With one process, or
