@@ -30,19 +30,28 @@ public:
   /// back over it by more than 90 degrees
   bool VisitTriangleBelow(Index i)
   {
-    const Vector3 direction = this->X - Vector3(this->Surface.V.row(i));
-    for (const Index corner : this->Surface.cornersAt[i])
+    const auto& [V, T, cornersAt] = this->Surface;
+    const Vector3 here = V.row(i);
+    const Vector3 direction = this->X - here;
+    const auto spokeTo = [&](Index j)
     {
-      const CornerEdges edges = this->EdgesOf(i, corner);
-      const double next = direction.dot(edges.next);
-      const double previous = direction.dot(edges.previous);
-      const double product = edges.next.dot(edges.previous);
-      const double squares = edges.next.squaredNorm() * edges.previous.squaredNorm();
+      const Vector3 edge = V.row(j) - here;
+      return Spoke{ j, edge, edge.squaredNorm(), direction.dot(edge) };
+    };
+    Spoke previous; // that of one triangle of a fan is the next of the following one
+    for (const Index corner : cornersAt[i])
+    {
+      const Index end = T.data()[NextCorner(corner)];
+      const Spoke next = end == previous.end ? previous : spokeTo(end);
+      previous = spokeTo(T.data()[PreviousCorner(corner)]);
+      const double product = next.edge.dot(previous.edge);
       // The projection of x is the corner and these multiples of the edges, divided by the area.
-      const double ofNext = next * edges.previous.squaredNorm() - previous * product;
-      const double ofPrevious = previous * edges.next.squaredNorm() - next * product;
+      const double ofNext = next.along * previous.squaredLength - previous.along * product;
+      const double ofPrevious = previous.along * next.squaredLength - next.along * product;
       if (ofNext > 0 && ofPrevious > 0)
       {
+        const CornerEdges edges{ next.edge, previous.edge };
+        const double squares = next.squaredLength * previous.squaredLength;
         const double area = squares - product * product; // its square, times 4
         constexpr double thin = 1e-3;                    // costs three digits
         if (ofNext + ofPrevious >= area || area < thin * squares)
@@ -73,6 +82,15 @@ private:
   {
     Vector3 next;
     Vector3 previous;
+  };
+
+  /// The edge from a vertex to a neighbour.
+  struct Spoke
+  {
+    Index end = -1;
+    Vector3 edge = Vector3::Zero();
+    double squaredLength = 0;
+    double along = 0; ///< its product with the direction to x
   };
 
   CornerEdges EdgesOf(Index i, Index corner) const
