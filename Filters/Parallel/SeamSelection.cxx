@@ -11,7 +11,7 @@ namespace lmo
 namespace
 {
 /// Edges from the vertices that have not moved yet to the last ones that move with them.
-constexpr int SeamWidth = 8;
+constexpr int SeamWidth = 12;
 
 bool HasVertex(const Triangles& triangles, Index t, const Vector& isMarked)
 {
