@@ -73,6 +73,22 @@ private:
   int NumberOfRanks = 1;
 };
 
+/// At the end of its life, all processes meet; those that come early sleep.
+class Meeting
+{
+public:
+  explicit Meeting(const Communicator& comm)
+    : Comm(comm)
+  {
+  }
+  ~Meeting() { this->Comm.Wait(); }
+  Meeting(const Meeting&) = delete;
+  void operator=(const Meeting&) = delete;
+
+private:
+  const Communicator Comm;
+};
+
 template <typename T>
 PerProcess<T> Communicator::Exchange(const PerProcess<T>& lists) const
 {

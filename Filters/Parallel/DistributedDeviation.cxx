@@ -67,8 +67,12 @@ private:
         this->Plan.problem.constraints.freedom[i] = DisplacementConstraints::FIXED;
       }
     }
-    this->Comm.Try([&]
-      { this->Result = OptimizeWithinDeviation(this->Mesh, this->Plan, monitor.OfThisProcess()); });
+    this->Comm.Try(
+      [&]
+      {
+        const Meeting end(this->Comm);
+        this->Result = OptimizeWithinDeviation(this->Mesh, this->Plan, monitor.OfThisProcess());
+      });
     this->UpdateGhosts();
     maximum = wanted;
     this->Plan.problem.constraints = std::move(constraints);
@@ -86,6 +90,7 @@ private:
     this->Comm.Try(
       [&]
       {
+        const Meeting end(this->Comm);
         if (this->Comm.Rank() == 0 && !part.triangles.empty())
         {
           const DeviationOptions& deviation = this->Plan.options.deviation;
@@ -94,7 +99,6 @@ private:
             this->Comm.Size(), monitor.OfThisProcess());
         }
       });
-    this->Comm.Wait();
     seam.moved.resize(this->Comm.Size());
     this->Take(seam);
     return seam;

@@ -119,7 +119,6 @@ ModeResult DistributedOptimizer::OptimizeWithin(RunPlan& plan, ProgressMonitor& 
 std::unique_ptr<const DistributedPlaces> DistributedOptimizer::FindPlaces(
   const Points& positions) const
 {
-  const PetscSession session(this->Comm.Get());
   return std::make_unique<const DistributedPlaces>(this->GetMesh(),
     dynamic_cast<const DistributedSubdomain&>(this->GetMesh().GetSubdomain()), positions);
 }

@@ -64,7 +64,8 @@ std::vector<std::pair<Index, Index>> FindTwins(const DistributedMesh& mesh)
 
 DistributedPlaces::DistributedPlaces(
   const MeshQuantities& mesh, const DistributedSubdomain& subdomain, const Points& positions)
-  : Mesh(mesh)
+  : Session(subdomain.GetMesh().GetCommunicator().Get())
+  , Mesh(mesh)
   , Domain(subdomain)
   , Twins(FindTwins(subdomain.GetMesh()))
 {

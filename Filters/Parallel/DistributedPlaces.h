@@ -34,6 +34,7 @@ private:
     Index vertex; ///< its number there
   };
 
+  const PetscSession Session; ///< for the ghosts
   const MeshQuantities& Mesh;
   const DistributedSubdomain& Domain;
   std::vector<SurfaceLocation> Places;        ///< on triangles of this process, for any vertices

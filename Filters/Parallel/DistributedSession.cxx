@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <map>
-#include <sstream>
 #include <thread>
 #include <type_traits>
 
@@ -60,65 +59,22 @@ std::vector<unsigned int> Describe(const std::vector<lmo::SurfaceBlock>& blocks)
   return numbers;
 }
 
-/// The arrays that all pieces with points have, in one order.
-/// \param own arrays of the piece of this process; do not count if it has no points
-std::vector<lmo::MovingArray> AgreeOn(
-  const lmo::Communicator& comm, std::vector<lmo::MovingArray> own, bool hasPoints)
-{
-  own.resize(hasPoints ? own.size() : 0);
-  std::string texts;
-  for (const lmo::MovingArray& array : own)
-  {
-    texts += std::to_string(static_cast<int>(array.how)) + ' ' + std::to_string(array.components) +
-             ' ' + array.name + '\0';
-  }
-  const std::vector<char> joined = comm.Join(std::vector<char>(texts.begin(), texts.end()));
-  std::map<std::string, std::int64_t> pieces; // that have the array
-  for (auto begin = joined.begin(); begin != joined.end();)
-  {
-    const auto end = std::find(begin, joined.end(), '\0');
-    ++pieces[std::string(begin, end)];
-    begin = end + 1;
-  }
-  const std::int64_t all = comm.Sum(std::int64_t(hasPoints));
-  std::vector<lmo::MovingArray> common;
-  for (const auto& [text, count] : pieces)
-  {
-    if (count == all)
-    {
-      std::istringstream words(text);
-      int how = 0;
-      lmo::MovingArray array;
-      words >> how >> array.components;
-      words.get();
-      std::getline(words, array.name, '\0');
-      array.how = static_cast<lmo::Interpolation>(how);
-      common.push_back(array);
-    }
-  }
-  return common;
-}
-
 /// While it lives, process 0 works alone; at its end, all processes meet.
 class TimeAlone
 {
 public:
   TimeAlone(const lmo::Communicator& comm, bool& isAlone)
-    : Comm(comm)
+    : End(comm)
     , IsAlone(isAlone)
   {
     isAlone = true;
   }
-  ~TimeAlone()
-  {
-    this->IsAlone = false;
-    this->Comm.Wait();
-  }
+  ~TimeAlone() { this->IsAlone = false; }
   TimeAlone(const TimeAlone&) = delete;
   void operator=(const TimeAlone&) = delete;
 
 private:
-  const lmo::Communicator Comm;
+  const lmo::Meeting End;
   bool& IsAlone;
 };
 }
@@ -187,37 +143,6 @@ std::unique_ptr<lmo::ProgressMonitor> vtkPLaplacianMeshOptimizer::DistributedSes
     return this->Session::MakeMonitor();
   }
   return std::make_unique<CollectiveMonitor>(this->Filter, this->GetCommunicator());
-}
-
-vtkSmartPointer<vtkPointData> vtkPLaplacianMeshOptimizer::DistributedSession::PointDataAtNewPlaces(
-  vtkPolyData* input, const lmo::OptimizerResult& result) const
-{
-  if (!this->IsDistributed())
-  {
-    return this->Session::PointDataAtNewPlaces(input, result);
-  }
-  const lmo::Communicator comm = this->GetCommunicator();
-  const std::vector<lmo::MovingArray> arrays =
-    AgreeOn(comm, this->FindMovingArrays(input), input->GetNumberOfPoints() > 0);
-  const auto& optimizer = static_cast<const lmo::DistributedOptimizer&>(*this->Optimizer);
-  bool isTorn = false;
-  const std::unique_ptr<const lmo::DistributedPlaces> places =
-    arrays.empty() ? nullptr : optimizer.FindPlaces(result.positions);
-  const auto data = this->MoveArrays(input, arrays,
-    [&](const lmo::Fields& fields, lmo::Interpolation how)
-    {
-      const bool hasSeam = how != lmo::Interpolation::NEAREST && places->HasSeam(fields);
-      isTorn = isTorn || hasSeam;
-      return hasSeam ? fields : places->Interpolate(fields, how);
-    });
-  if (isTorn)
-  {
-    vtkWarningWithObjectMacro(this->Filter,
-      "Point arrays with several values at one place, such as texture coordinates at seams, stay "
-      "with their points, which have slid along the surface: only in one process are they "
-      "interpolated on each side.");
-  }
-  return data;
 }
 
 std::vector<lmo::SurfaceBlock> vtkPLaplacianMeshOptimizer::DistributedSession::FindBlocks(

@@ -167,6 +167,20 @@ void CheckSheet(MpiJob& job, Checks& c)
     job.Largest(LargestMagnitude(PointValues(output, "X") - PointsOf(output).col(0))), 3e-4);
 }
 
+void CheckOneSided(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = FoldedSheet();
+  const auto expected = OptimizedAlone(MakePolyData(mesh), WithinDeviation);
+  const auto difference = [&](const Cut& cut)
+  {
+    const Outcome outcome = OptimizeInPieces(job, mesh, cut);
+    return job.Largest(std::abs(
+      FieldValue(outcome.piece, "MeanRadiusRatio") - FieldValue(expected, "MeanRadiusRatio")));
+  };
+  c.Error("all triangles may be in one process", difference(AllInLast()), 0.002);
+  c.Error("pieces may be nothing but seams", difference(Scattered()), 0.002);
+}
+
 void CheckWall(MpiJob& job, Checks& c)
 {
   const TestMesh wall = ThinWall(0.001);
@@ -188,5 +202,6 @@ int TestDistributedDeviation(int argc, char* argv[])
   Checks c;
   CheckSheet(job, c);
   CheckWall(job, c);
+  CheckOneSided(job, c);
   return c.Result();
 }
