@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 namespace lmo
 {
@@ -20,10 +21,18 @@ namespace
 /// another way, what the first one did.
 constexpr double FirstShare = 0.995;
 
-class TwoSteps
+/// Edges from the vertices that have not moved yet to the last ones that move with them.
+constexpr int SeamWidth = 12;
+
+/// The same of triangles that are bad in the end.
+constexpr int WorstWidth = 3;
+constexpr double WorstQuality = 0.5; ///< they have a smaller t
+constexpr double WorstShare = 0.02;  ///< of the triangles of one process that they are at most
+
+class Steps
 {
 public:
-  TwoSteps(const MeshQuantities& mesh, const DistributedSubdomain& subdomain, RunPlan& plan)
+  Steps(const MeshQuantities& mesh, const DistributedSubdomain& subdomain, RunPlan& plan)
     : Mesh(mesh)
     , T(mesh.GetTriangles())
     , Domain(subdomain)
@@ -38,12 +47,13 @@ public:
   {
     monitor.Report(0);
     this->MoveInner(monitor);
-    SeamResult seam = this->MoveSeam(monitor);
+    SeamResult seam = this->MoveSeam(this->IsInner, SeamWidth, monitor);
     if (this->Comm.Maximum(!seam.areSeparate) > 0)
     {
       this->Result.positions = this->Mesh.GetPoints();
-      seam = this->MoveSeam(monitor);
+      seam = this->MoveSeam(this->IsInner, SeamWidth, monitor);
     }
+    this->MoveWorst(monitor);
     this->CountPairs(seam);
     this->Report();
     return std::move(this->Result);
@@ -79,10 +89,10 @@ private:
     this->Plan.problem.position.weights = std::move(positionWeights);
   }
 
-  SeamResult MoveSeam(ProgressMonitor& monitor)
+  SeamResult MoveSeam(const Vector& isInner, int edges, ProgressMonitor& monitor)
   {
     SeamPart part = SelectSeam(
-      this->Mesh, this->Domain, this->Plan, this->IsInner, this->Result.positions, this->Distance);
+      this->Mesh, this->Domain, this->Plan, isInner, edges, this->Result.positions, this->Distance);
     part.vertices = this->Comm.Gather(std::move(part.vertices));
     part.triangles = this->Comm.Gather(std::move(part.triangles));
     part.reference = this->Comm.Gather(std::move(part.reference));
@@ -102,6 +112,40 @@ private:
     seam.moved.resize(this->Comm.Size());
     this->Take(seam);
     return seam;
+  }
+
+  /// Tries once more what is left of bad triangles: at the borders of what moved at one time they
+  /// had less freedom than in one process.
+  void MoveWorst(ProgressMonitor& monitor)
+  {
+    const Vector quality = RadiusRatios(this->Result.positions, this->T);
+    std::vector<double> ofOwned;
+    for (Index t = 0; t < static_cast<Index>(this->T.rows()); ++t)
+    {
+      if (this->Domain.OwnsTriangle(t))
+      {
+        ofOwned.push_back(quality[t]);
+      }
+    }
+    const double least = std::min(
+      WorstQuality, this->Domain.Quantile(std::move(ofOwned), WorstShare / this->Comm.Size()));
+    Vector isBad = Vector::Zero(this->Mesh.GetTopology().vertices);
+    for (Index t = 0; t < static_cast<Index>(this->T.rows()); ++t)
+    {
+      if (this->Domain.OwnsTriangle(t) && quality[t] < least)
+      {
+        isBad(this->T.row(t)).setOnes();
+      }
+    }
+    this->Domain.GetMesh().UniteMaximum(isBad);
+    const Vector isInner = 1 - isBad.array();
+    DeviationOptions& deviation = this->Plan.options.deviation;
+    if (deviation.improveWorstTriangles && this->Comm.Size() > 1)
+    {
+      const int passes = std::exchange(deviation.passes, 0);
+      this->MoveSeam(isInner, WorstWidth, monitor);
+      deviation.passes = passes;
+    }
   }
 
   void Take(const SeamResult& seam)
@@ -209,6 +253,6 @@ private:
 ModeResult OptimizeWithinDeviation(const MeshQuantities& mesh,
   const DistributedSubdomain& subdomain, RunPlan& plan, ProgressMonitor& monitor)
 {
-  return TwoSteps(mesh, subdomain, plan).Run(monitor);
+  return Steps(mesh, subdomain, plan).Run(monitor);
 }
 }

@@ -10,9 +10,6 @@ namespace lmo
 {
 namespace
 {
-/// Edges from the vertices that have not moved yet to the last ones that move with them.
-constexpr int SeamWidth = 12;
-
 bool HasVertex(const Triangles& triangles, Index t, const Vector& isMarked)
 {
   return isMarked[triangles(t, 0)] || isMarked[triangles(t, 1)] || isMarked[triangles(t, 2)];
@@ -76,9 +73,9 @@ public:
   {
   }
 
-  SeamPart Select(const Vector& isInner)
+  SeamPart Select(const Vector& isInner, int edges)
   {
-    this->ChooseFree(isInner);
+    this->ChooseFree(isInner, edges);
     this->AddReference();
     this->AddTriangles();
     this->AddVertices();
@@ -91,7 +88,7 @@ private:
     return this->Plan.problem.constraints.freedom[i] != DisplacementConstraints::FIXED;
   }
 
-  void ChooseFree(const Vector& isInner)
+  void ChooseFree(const Vector& isInner, int edges)
   {
     const Index size = this->Mesh.GetTopology().vertices;
     const AdjacencyLists& rings = this->Mesh.GetTopology().oneRings;
@@ -101,7 +98,7 @@ private:
       this->IsFree[i] = this->Domain.OwnsVertex(i) && this->IsMovable(i) && !isInner[i];
     }
     this->Domain.UpdateGhosts(this->IsFree);
-    Widen(rings, SeamWidth, this->IsFree);
+    Widen(rings, edges, this->IsFree);
     for (Index i = 0; i < size; ++i)
     {
       this->IsFree[i] = this->IsFree[i] && this->Domain.OwnsVertex(i) && this->IsMovable(i);
@@ -241,8 +238,8 @@ Vector FindInnerVertices(
 }
 
 SeamPart SelectSeam(const MeshQuantities& mesh, const DistributedSubdomain& subdomain,
-  const RunPlan& plan, const Vector& isInner, const Points& V, double distance)
+  const RunPlan& plan, const Vector& isInner, int edges, const Points& V, double distance)
 {
-  return Selection(mesh, subdomain, plan, V, distance).Select(isInner);
+  return Selection(mesh, subdomain, plan, V, distance).Select(isInner, edges);
 }
 }

@@ -52,14 +52,15 @@ struct SeamPart
 Vector FindInnerVertices(
   const MeshQuantities& mesh, const DistributedSubdomain& subdomain, double distance);
 
-/// Chooses what moves when the inner vertices have moved: the other ones, and those within a few
+/// Chooses what moves when the inner vertices have moved: the other ones, and those within some
 /// edges of them. Collective.
 /// \param plan of the mesh as it was at first
 /// \param isInner what FindInnerVertices() returned
+/// \param edges how many
 /// \param V positions of the vertices now
 /// \param distance that any surface may be from the original one
 SeamPart SelectSeam(const MeshQuantities& mesh, const DistributedSubdomain& subdomain,
-  const RunPlan& plan, const Vector& isInner, const Points& V, double distance);
+  const RunPlan& plan, const Vector& isInner, int edges, const Points& V, double distance);
 }
 
 #endif
