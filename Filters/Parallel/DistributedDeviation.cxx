@@ -17,8 +17,8 @@ namespace lmo
 {
 namespace
 {
-/// Share of the distance that the first step uses, so that the second one can prove again, in
-/// another way, what the first one did.
+/// Share of the distance that the first step uses, so that the others can prove again, in another
+/// way, what it did.
 constexpr double FirstShare = 0.995;
 
 /// Edges from the vertices that have not moved yet to the last ones that move with them.
@@ -47,19 +47,28 @@ public:
   {
     monitor.Report(0);
     this->MoveInner(monitor);
-    SeamResult seam = this->MoveSeam(this->IsInner, SeamWidth, monitor);
+    SeamResult seam;
+    if (!this->IsCancelled())
+    {
+      seam = this->MoveSeam(this->IsInner, SeamWidth, monitor);
+    }
     if (this->Comm.Maximum(!seam.areSeparate) > 0)
     {
       this->Result.positions = this->Mesh.GetPoints();
       seam = this->MoveSeam(this->IsInner, SeamWidth, monitor);
     }
-    this->MoveWorst(monitor);
+    if (!this->IsCancelled() && this->Plan.options.deviation.improveWorstTriangles)
+    {
+      this->MoveWorst(monitor);
+    }
     this->CountPairs(seam);
     this->Report();
     return std::move(this->Result);
   }
 
 private:
+  bool IsCancelled() const { return this->Comm.Maximum(this->Result.isCancelled) > 0; }
+
   void MoveInner(ProgressMonitor& monitor)
   {
     // What the seam needs of the problem is kept, the rest would be memory twice.
@@ -139,13 +148,9 @@ private:
     }
     this->Domain.GetMesh().UniteMaximum(isBad);
     const Vector isInner = 1 - isBad.array();
-    DeviationOptions& deviation = this->Plan.options.deviation;
-    if (deviation.improveWorstTriangles && this->Comm.Size() > 1)
-    {
-      const int passes = std::exchange(deviation.passes, 0);
-      this->MoveSeam(isInner, WorstWidth, monitor);
-      deviation.passes = passes;
-    }
+    const int passes = std::exchange(this->Plan.options.deviation.passes, 0);
+    this->MoveSeam(isInner, WorstWidth, monitor);
+    this->Plan.options.deviation.passes = passes;
   }
 
   void Take(const SeamResult& seam)

@@ -31,9 +31,6 @@ public:
     , Sent(std::move(part.triangles))
     , Size(static_cast<Index>(this->Vertices.size()))
   {
-    std::sort(part.reference.begin(), part.reference.end());
-    part.reference.erase(
-      std::unique(part.reference.begin(), part.reference.end()), part.reference.end());
     this->Reference = std::make_shared<MeshQuantities>(
       this->PositionsOf(&SeamVertex::original), this->TrianglesOf(part.reference));
     std::vector<RowTriple> triples;

@@ -114,16 +114,19 @@ private:
     std::vector<TravellingCorners> moving;
     for (Index t = 0; t < static_cast<Index>(this->T.rows()); ++t)
     {
-      if (HasVertex(this->T, t, this->IsFree))
+      if (this->Domain.OwnsTriangle(t) && HasVertex(this->T, t, this->IsFree))
       {
         moving.push_back(CornersOfTriangle(this->V, this->T, t));
       }
     }
+    const Communicator& comm = this->Domain.GetMesh().GetCommunicator();
     const Points& original = this->Mesh.GetPoints();
-    const NearTriangles nearMoving(moving);
+    const NearTriangles nearMoving(
+      ExchangeNear(comm, moving, ReachOf(original, this->T, this->Domain, this->Distance), true));
     for (Index t = 0; t < static_cast<Index>(this->T.rows()); ++t)
     {
-      if (nearMoving.IsNear(WideBoxOf(original, this->T, t, this->Distance)))
+      if (this->Domain.OwnsTriangle(t) &&
+          nearMoving.IsNear(WideBoxOf(original, this->T, t, this->Distance)))
       {
         this->Part.reference.push_back(RowsOf(this->Domain.GetMesh(), this->T, t));
         this->Reference.push_back(CornersOfTriangle(original, this->T, t));
