@@ -72,7 +72,7 @@ vtkSmartPointer<vtkPointData> vtkPLaplacianMeshOptimizer::DistributedSession::Po
   bool isTorn = false;
   const std::unique_ptr<const lmo::DistributedPlaces> places =
     arrays.empty() ? nullptr : optimizer.FindPlaces(result.positions);
-  const auto data = this->MoveArrays(input, arrays,
+  auto data = this->MoveArrays(input, arrays,
     [&](const lmo::Fields& fields, lmo::Interpolation how)
     {
       const bool hasSeam = how != lmo::Interpolation::NEAREST && places->HasSeam(fields);

@@ -82,11 +82,12 @@ std::vector<TravellingCorners> ExchangeNear(const Communicator& comm,
   Eigen::Map<Eigen::Vector3d>(corners[0].data()) = reach.min();
   Eigen::Map<Eigen::Vector3d>(corners[1].data()) = reach.max();
   corners = comm.Join(corners);
-  std::vector<Box3> reaches;
-  for (int rank = 0; rank < comm.Size(); ++rank)
+  std::vector<Box3> reaches(comm.Size());
+  auto corner = corners.begin();
+  for (Box3& box : reaches)
   {
-    reaches.emplace_back(Eigen::Map<const Eigen::Vector3d>(corners[2 * rank].data()),
-      Eigen::Map<const Eigen::Vector3d>(corners[2 * rank + 1].data()));
+    box.min() = Eigen::Map<const Eigen::Vector3d>((corner++)->data());
+    box.max() = Eigen::Map<const Eigen::Vector3d>((corner++)->data());
   }
   PerProcess<TravellingCorners> leaving(comm.Size());
   for (const TravellingCorners& triangle : triangles)

@@ -30,20 +30,20 @@ public:
   /// back over it by more than 90 degrees
   bool VisitTriangleBelow(Index i)
   {
-    const auto& [V, T, cornersAt] = this->Surface;
-    const Vector3 here = V.row(i);
+    const Index* corners = this->Surface.triangles.data();
+    const Vector3 here = this->Surface.V.row(i);
     const Vector3 direction = this->X - here;
     const auto spokeTo = [&](Index j)
     {
-      const Vector3 edge = V.row(j) - here;
+      const Vector3 edge = this->Surface.V.row(j) - here;
       return Spoke{ j, edge, edge.squaredNorm(), direction.dot(edge) };
     };
     Spoke previous; // that of one triangle of a fan is the next of the following one
-    for (const Index corner : cornersAt[i])
+    for (const Index corner : this->Surface.cornersAt[i])
     {
-      const Index end = T.data()[NextCorner(corner)];
+      const Index end = corners[NextCorner(corner)];
       const Spoke next = end == previous.end ? previous : spokeTo(end);
-      previous = spokeTo(T.data()[PreviousCorner(corner)]);
+      previous = spokeTo(corners[PreviousCorner(corner)]);
       const double product = next.edge.dot(previous.edge);
       // The projection of x is the corner and these multiples of the edges, divided by the area.
       const double ofNext = next.along * previous.squaredLength - previous.along * product;
