@@ -7,6 +7,7 @@
 #include "vtkLaplacianMeshOptimizer.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <cmath>
 
 using namespace lmo;
@@ -173,6 +174,32 @@ double DifferenceOf(MpiJob& job, vtkPolyData* whole, const Cut& cut, const SetUp
     DifferenceFromWhole(piece, Optimized(piece.surface, precise), OptimizedAlone(whole, precise)));
 }
 
+/// A square with a ridge of 16 edges along y that ends inside it on both sides.
+TestMesh Ridge()
+{
+  TestMesh mesh = Grid(24, 0);
+  for (Eigen::Index i = 0; i < mesh.V.rows(); ++i)
+  {
+    const double x = mesh.V(i, 0) / 12 - 1;
+    const double y = mesh.V(i, 1) / 12 - 1;
+    const double slope = std::clamp((0.8 - std::abs(y)) / 0.35, 0.0, 1.0);
+    mesh.V.row(i) << x, y, -slope * std::abs(x);
+  }
+  return Irregular(mesh, 0.002);
+}
+
+/// A line that ends inside a surface is noise if it is short: no process has enough of its edges.
+void CheckLine(MpiJob& job, Checks& c)
+{
+  const TestMesh mesh = Ridge();
+  const auto whole = MakePolyData(mesh);
+  const auto setUp = [](Optimizer* filter) { filter->FeatureConstraintsOn(); };
+  c.AtLeast("a ridge is a feature",
+    double((PointValues(OptimizedAlone(whole, setUp), "FeatureClass").array() == 1).count()), 10);
+  c.Error("a ridge through several pieces is one, too",
+    DifferenceOf(job, whole, Sectors(mesh), setUp), 1e-9);
+}
+
 /// Where the first solver fails another one follows: the result would not tell.
 void CheckIterations(MpiJob& job, Checks& c)
 {
@@ -216,5 +243,6 @@ int TestDistributedCases(int argc, char* argv[])
     }
   }
   CheckIterations(job, c);
+  CheckLine(job, c);
   return c.Result();
 }
