@@ -46,11 +46,13 @@ struct MovingArray
 /// The numeric arrays with names that do not stay with their points.
 std::vector<MovingArray> FindMovingArrays(vtkPolyData* input);
 
+/// Values of the vertices at their new places, from their values.
+using MoveFieldsAs = std::function<Fields(const Fields&, Interpolation)>;
+
 /// InterpolatePointData() by a function, for a surface of which there is only a piece; strings stay
 /// with their points.
 /// \param arrays of all pieces, in the same order; those that the input lacks count nevertheless
 /// \param move values of the vertices at their new places
-using MoveFieldsAs = std::function<Fields(const Fields&, Interpolation)>;
 vtkSmartPointer<vtkPointData> MoveArrays(vtkPolyData* input, const MeshNumbering& numbering,
   const std::vector<MovingArray>& arrays, const MoveFieldsAs& move);
 

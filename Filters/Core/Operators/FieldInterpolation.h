@@ -28,6 +28,7 @@ Fields InterpolateLinearly(
 Fields InterpolateSmoothly(const WalkableSurface& surface, const Fields& fields,
   const std::vector<SurfaceLocation>& locations);
 
+/// How fields come to other places: as the functions above say, or unchanged from a corner.
 enum class Interpolation
 {
   SMOOTH,
