@@ -14,12 +14,33 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <vector>
 
 using namespace lmo;
 
 namespace
 {
 using Optimizer = vtkLaplacianMeshOptimizer;
+
+/// The mesh with its vertices in the order of the triangles' corners, in which the points of a soup
+/// become vertices: solutions depend on the order by as much as the solver's tolerance.
+TestMesh InOrderOfCorners(const TestMesh& mesh)
+{
+  TestMesh result = mesh;
+  std::vector<Index> numbers(mesh.V.rows(), -1);
+  Index next = 0;
+  for (Eigen::Index corner = 0; corner < mesh.T.size(); ++corner)
+  {
+    const Index i = mesh.T.data()[corner];
+    if (numbers[i] < 0)
+    {
+      numbers[i] = next++;
+      result.V.row(numbers[i]) = mesh.V.row(i);
+    }
+    result.T.data()[corner] = numbers[i];
+  }
+  return result;
+}
 
 /// Rows at the points of Soup() from rows at the vertices.
 Eigen::MatrixXd AtCorners(const TestMesh& mesh, const Eigen::MatrixXd& rows)
@@ -178,7 +199,7 @@ double SharpNormalError()
 int TestCoincidentPoints(int, char*[])
 {
   Checks c;
-  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  const TestMesh mesh = InOrderOfCorners(Irregular(Icosphere(2), 0.05));
   const std::pair<const char*, int> modes[] = { { "optimized", Optimizer::OPTIMIZE_TRIANGLES },
     { "smoothed", Optimizer::SMOOTH }, { "guided", Optimizer::SMOOTH_GUIDED },
     { "optimized within a deviation", Optimizer::OPTIMIZE_WITHIN_DEVIATION } };

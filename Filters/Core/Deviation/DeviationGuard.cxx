@@ -52,6 +52,7 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   , Proposed(static_cast<Index>(triangles.rows()))
   , Listed(static_cast<Index>(triangles.rows()))
   , ListedOfReference(static_cast<Index>(reference.T.rows()))
+  , ListedVertices(topology.vertices)
 {
   ParallelFor(static_cast<Index>(triangles.rows()),
     [this](Index t) { this->Shapes.Accept(t, this->Bounds.GetCentre(t)); });
@@ -85,15 +86,14 @@ std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& trian
 std::vector<DeviationGuard::Failure> DeviationGuard::FindInvertedBeside(
   const std::vector<Index>& vertices, ProgressMonitor& monitor)
 {
-  std::vector<Index> ring;
-  for (const Index i : vertices)
+  for (const Index t : this->TrianglesAt(vertices))
   {
-    for (const Index t : this->TrianglesAt({ i }))
-    {
-      ring.insert(ring.end(), this->Mesh.T.row(t).begin(), this->Mesh.T.row(t).end());
-    }
+    this->ListedVertices.Add(this->Mesh.T(t, 0));
+    this->ListedVertices.Add(this->Mesh.T(t, 1));
+    this->ListedVertices.Add(this->Mesh.T(t, 2));
   }
-  std::vector<Index> beside = this->TrianglesAt(ring);
+  std::vector<Index> beside = this->TrianglesAt(this->ListedVertices.Get());
+  this->ListedVertices.Clear();
   std::vector<Failure> failures;
   for (const Index t : Split(beside, monitor,
          [this](Index t) { return !this->Mesh.IsMoved(t) && this->Shapes.IsInverted(t); }))

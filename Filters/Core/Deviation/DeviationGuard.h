@@ -139,9 +139,10 @@ private:
   std::vector<Index> Open;          ///< triangles of the candidate that failed in the last call
   std::vector<Index> OpenReference; ///< the same of the reference
 
-  // To list triangles once; empty in between:
+  // To list triangles and vertices once; empty in between:
   IndexSet Listed;
   IndexSet ListedOfReference;
+  IndexSet ListedVertices;
 };
 }
 

@@ -7,6 +7,8 @@
 #include "Core/Mesh/TriangleSeparation.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 #include <numeric>
 
 namespace lmo
@@ -19,7 +21,7 @@ Eigen::AlignedBox3d BoxOf(const Points& V, const Triangles& T, Index t)
   return { corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose() };
 }
 
-/// Triangles with their bounding boxes, and that of all.
+/// Triangles of a group with their bounding boxes, and that of all.
 struct BoxedTriangles
 {
   std::vector<std::pair<Index, Eigen::AlignedBox3d>> list;
@@ -30,6 +32,70 @@ struct BoxedTriangles
     this->list.push_back({ t, box });
     this->whole.extend(box);
   }
+};
+
+/// The boxes of a group in single precision, a little too large, so that the processor compares
+/// several at a time with another box.
+class RoundedBoxes
+{
+public:
+  explicit RoundedBoxes(const BoxedTriangles& group)
+    : Origin(group.whole.min())
+    , Size(std::max(group.whole.sizes().maxCoeff(), std::numeric_limits<double>::min()))
+    , Count(static_cast<int>(group.list.size()))
+  {
+    this->Low.setZero();
+    this->High.setZero();
+    for (int k = 0; k < this->Count; ++k)
+    {
+      this->Low.row(k) = this->Round(group.list[k].second.min(), -1);
+      this->High.row(k) = this->Round(group.list[k].second.max(), 1);
+    }
+  }
+
+  /// Calls visit(k) for the boxes of the group that may overlap a box.
+  template <typename Visit>
+  void ForEachNear(const Eigen::AlignedBox3d& box, const Visit& visit) const
+  {
+    const Corner low = this->Round(box.min(), -1);
+    const Corner high = this->Round(box.max(), 1);
+    std::array<int, Largest> isNear;
+    for (int k = 0; k < Largest; ++k)
+    {
+      // A comparison with NaN is false.
+      isNear[k] = !(this->Low(k, 0) > high[0]) & !(low[0] > this->High(k, 0)) &
+                  !(this->Low(k, 1) > high[1]) & !(low[1] > this->High(k, 1)) &
+                  !(this->Low(k, 2) > high[2]) & !(low[2] > this->High(k, 2));
+    }
+    for (int k = 0; k < this->Count; ++k)
+    {
+      if (isNear[k])
+      {
+        visit(k);
+      }
+    }
+  }
+
+private:
+  static constexpr int Largest = TriangleBvh::LargestGroup;
+  using Corner = Eigen::Array<float, 1, 3>;
+  using Corners = Eigen::Array<float, Largest, 3>; // by columns
+
+  /// A corner in units of the group's size.
+  Corner Round(const Vector3& corner, float outward) const
+  {
+    constexpr float roundOff = 1e-6f;
+    constexpr double farthest = 1e6;
+    const Eigen::Array<double, 1, 3> relative = (corner - this->Origin).array() / this->Size;
+    const Corner rounded = relative.max(-farthest).min(farthest).cast<float>();
+    return rounded + outward * roundOff * (1 + rounded.abs());
+  }
+
+  Vector3 Origin;
+  double Size;
+  int Count; ///< of boxes
+  Corners Low;
+  Corners High;
 };
 
 /// The groups of the tree that have a triangle of the list.
@@ -130,29 +196,24 @@ void SelfIntersections::FindApart(const Points& V, const TriangleBvh& tree,
             listed.Add(s, BoxOf(V, this->T, s));
           }
         });
-      BoxedTriangles near;
+      const RoundedBoxes rounded(listed);
       tree.ForEachNear(listed.whole,
         [&](Index t)
         {
-          const Eigen::AlignedBox3d box = BoxOf(V, this->T, t);
-          if (box.intersects(listed.whole))
-          {
-            near.Add(t, box);
-          }
+          const Eigen::AlignedBox3d other = BoxOf(V, this->T, t);
+          rounded.ForEachNear(other,
+            [&](int k)
+            {
+              const auto& [s, box] = listed.list[k];
+              const bool isCounted = t > s || (t < s && !isListed[t]);
+              if (isCounted && box.intersects(other) && !this->HaveCommonVertex(s, t) &&
+                  !(this->HasHighValence(s) && this->HasHighValence(t)) &&
+                  !AreSeparate(V, this->T, s, t))
+              {
+                found.push_back({ std::min(s, t), std::max(s, t) });
+              }
+            });
         });
-      for (const auto& [s, box] : listed.list)
-      {
-        for (const auto& [t, other] : near.list)
-        {
-          const bool isCounted = t > s || (t < s && !isListed[t]);
-          if (isCounted && box.intersects(other) && !this->HaveCommonVertex(s, t) &&
-              !(this->HasHighValence(s) && this->HasHighValence(t)) &&
-              !AreSeparate(V, this->T, s, t))
-          {
-            found.push_back({ std::min(s, t), std::max(s, t) });
-          }
-        }
-      }
     });
 }
 

@@ -13,13 +13,14 @@ namespace lmo
 {
 namespace
 {
-constexpr double GoalStep = 0.02;  ///< above the least t, as long as that rises
-constexpr double LiftedGoal = 0.5; ///< above it no vertex leaves its tangent plane
-constexpr int MostSweeps = 10;     ///< for one goal
+constexpr double GoalStep = 0.02;     ///< above the least t, as long as that rises
+constexpr double SmallestRise = 0.01; ///< that suffices above BadQuality
+constexpr double LiftedGoal = 0.5;    ///< above it no vertex leaves its tangent plane
+constexpr int MostSweeps = 10;        ///< for one goal
 constexpr int Directions = 12;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr double MostLossForGain = 25;        ///< of the sum of t, for a gain of the least t
-constexpr double RelativeEffort = 2.25;       ///< of proofs, in terms of those until then
+constexpr double RelativeEffort = 1.5;        ///< of proofs, in terms of those until then
 constexpr double EnoughEffort = 60000;        ///< where those were few
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 constexpr std::size_t MostPlaces = 50;        ///< that it is asked for where it refuses the best
@@ -319,11 +320,12 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
 {
   Search search(guard, triangles, topology, constraints, place);
   search.Raise(BadQuality, OfMany, monitor);
-  double before = 0;
-  for (double least = search.GetLeast(); before < least && least < 1; least = search.GetLeast())
+  double least = search.GetLeast();
+  for (double rise = 1; rise > (least < BadQuality ? 0 : SmallestRise) && least < 1;)
   {
-    before = least;
     search.Raise(least + GoalStep, OfWorst, monitor);
+    rise = search.GetLeast() - least;
+    least += rise;
   }
 }
 }

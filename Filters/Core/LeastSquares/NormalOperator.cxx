@@ -59,49 +59,19 @@ Dots MultiplyUncoupled(const DisplacementConstraints& constraints, const PackedP
     .Get();
 }
 
-/// \param projections PackProjections()
-template <typename Scalar, typename... Rows>
-Dots MultiplyCoupled(const PackedPoints<Scalar>& projections, const Vector3& freeAxes,
-  const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product, const Rows&... rows)
+template <typename Scalar, typename Project, typename... Rows>
+Dots MultiplyCoupled(const Project& project, const PackedPoints<Scalar>& x,
+  PackedPoints<Scalar>& product, const Rows&... rows)
 {
-  PackedRow<Scalar> free;
-  free << freeAxes.transpose().array().template cast<Scalar>(), 0;
   const Dots dots = ParallelSum(static_cast<Index>(x.cols()), DotSum(),
-    [rows..., free, projections = View(projections), x = View(x), product = View(product)](
-      DotSum& sum, Index i) mutable
+    [rows..., project, x = View(x), product = View(product)](DotSum& sum, Index i) mutable
     {
       const PackedRow<Scalar> xi = x.col(i);
-      const PackedRow<Scalar> whole = free * SumRows(i, xi, rows...);
-      const PackedRow<Scalar> axis = projections.col(i);
-      const Scalar kept = axis[3];
-      const Scalar along = (axis * whole).sum(); // the fourth of whole is 0
-      PackedRow<Scalar> row = kept * whole + (1 - 2 * kept) * along * axis;
-      row[3] = 0;
+      const PackedRow<Scalar> row = project(i, SumRows(i, xi, rows...));
       product.col(i) = row;
       sum.Add(PackedRow<Scalar>(row * xi));
     }).Get();
   return Dots(dots.sum(), dots.sum(), dots.sum(), 0);
-}
-
-/// Constraints::Project() for products: with (axis, kept) in each column, x becomes
-/// kept x + (1 - 2 kept) (x . axis) axis, where kept is 1 for a free vertex, whose axis is 0, and
-/// in a plane, 0 along a line and where the vertex is fixed.
-template <typename Scalar>
-PackedPoints<Scalar> PackProjections(const LeastSquaresProblem& problem)
-{
-  const DisplacementConstraints& constraints = problem.constraints;
-  PackedPoints<Scalar> projections(4, problem.IsCoupled() ? problem.Size() : 0);
-  ParallelFor(static_cast<Index>(projections.cols()),
-    [&](Index i)
-    {
-      const auto freedom = constraints.freedom[i];
-      const bool hasAxis = freedom == DisplacementConstraints::IN_PLANE ||
-                           freedom == DisplacementConstraints::ALONG_LINE;
-      projections.col(i) =
-        Pack<Scalar>(hasAxis ? Vector3(constraints.axes.row(i)) : Vector3(Vector3::Zero()));
-      projections(3, i) = Scalar(freedom >= DisplacementConstraints::IN_PLANE);
-    });
-  return projections;
 }
 }
 
@@ -109,7 +79,7 @@ template <typename Scalar>
 NormalOperator<Scalar>::NormalOperator(const LeastSquaresProblem& problem)
   : Problem(problem)
   , Products(problem.Terms())
-  , Projections(PackProjections<Scalar>(problem))
+  , Projections(problem)
 {
 }
 
@@ -117,20 +87,19 @@ template <typename Scalar>
 Dots NormalOperator<Scalar>::Multiply(const PackedPoints<Scalar>& x, PackedPoints<Scalar>& product)
 {
   Dots dots;
-  const DisplacementConstraints& constraints = this->Problem.constraints;
   const auto multiply = [&](auto&... products)
   {
     (products.Prepare(x), ...);
     if (this->Problem.IsCoupled())
     {
       WithRows<true>([&](const auto&... rows)
-        { dots = MultiplyCoupled(this->Projections, constraints.freeAxes, x, product, rows...); },
+        { dots = MultiplyCoupled(this->Projections.GetRows(), x, product, rows...); },
         products...);
     }
     else
     {
       WithRows<false>([&](const auto&... rows)
-        { dots = MultiplyUncoupled(constraints, x, product, rows...); },
+        { dots = MultiplyUncoupled(this->Problem.constraints, x, product, rows...); },
         products...);
     }
   };

@@ -4,6 +4,7 @@
 #define lmo_NormalOperator_h
 
 #include "Core/LeastSquares/LeastSquaresProblem.h"
+#include "Core/LeastSquares/PackedProjections.h"
 
 #include <utility>
 
@@ -61,7 +62,7 @@ private:
 
   const LeastSquaresProblem& Problem;
   decltype(ProductsOf(std::declval<LeastSquaresProblem>().Terms())) Products;
-  PackedPoints<Scalar> Projections; ///< on the displacements allowed, if the problem is coupled
+  PackedProjections<Scalar> Projections;
 };
 
 extern template class NormalOperator<float>;

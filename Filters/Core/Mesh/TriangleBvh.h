@@ -75,8 +75,10 @@ public:
     }
   }
 
-  /// A number for each group of triangles that lie side by side, at most 16; -1 for a triangle that
-  /// is left out.
+  static constexpr Index LargestGroup = 16;
+
+  /// A number for each group of triangles that lie side by side, at most LargestGroup; -1
+  /// for one that is left out.
   Index GroupOf(Index triangle) const
   {
     const Index leaf = this->LeafOf[triangle];

@@ -11,17 +11,18 @@
 #include "Core/Solvers/LinearSolver.h"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 
 namespace lmo
 {
 namespace
 {
-constexpr double SolverTolerance = 1e-3; ///< the next pass corrects what is left
+constexpr double SolverTolerance = 5e-3; ///< the next pass corrects what is left
 constexpr double SmallestShare = 0.2;    ///< of a displacement that is worth keeping
 constexpr double ReducedFactor = 1.3;    ///< of W_p where the guard reduced the displacement
 constexpr double Release = 0.7;          ///< and where it was not
-constexpr double OverRelaxation = 1.5;   ///< of the displacement where none was reduced
+constexpr double OverRelaxation = 1.8;   ///< of the displacement where none was reduced
 constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
@@ -123,9 +124,10 @@ private:
   DeviationGuard Guard;
   const double InputQuality; ///< t_mean
   LeastSquaresProblem Problem;
-  const Vector Cumulative; ///< C(kappa)
-  Vector AdaptiveFactors;  ///< factor of W_p
-  Vector Share;            ///< of the displacement, 0 to 1
+  std::optional<MultilevelBasis> Basis; ///< of the first pass, which serves for all
+  const Vector Cumulative;              ///< C(kappa)
+  Vector AdaptiveFactors;               ///< factor of W_p
+  Vector Share;                         ///< of the displacement, 0 to 1
 };
 
 Solution Passes::Propose(ProgressMonitor& monitor)
@@ -134,7 +136,11 @@ Solution Passes::Propose(ProgressMonitor& monitor)
   this->SetPositionWeights();
   SolverOptions solver = this->Options.solver;
   solver.tolerance = SolverTolerance;
-  Solution solution = SolveByDiagonal(this->Problem, solver, monitor);
+  if (!this->Basis)
+  {
+    this->Basis.emplace(this->Problem, monitor);
+  }
+  Solution solution = SolveByLevels(this->Problem, *this->Basis, solver, monitor);
   ParallelFor(this->Size(),
     [&](Index i)
     {
@@ -268,7 +274,7 @@ void Passes::Improve(ProgressMonitor& monitor, ModeResult& result)
     ++result.deviation.passes;
     result.deviation.rolledBack = this->CountRolledBack();
     const double after = MeanOf(this->Guard.GetAcceptedQuality());
-    if (pass > 1 && after > before && after < before + SmallestGain)
+    if (pass > 1 && after < before + SmallestGain)
     {
       break;
     }

@@ -16,7 +16,7 @@ namespace lmo
 {
 namespace
 {
-constexpr double PositionScale = 0.05; ///< s
+constexpr double PositionScale = 0.03; ///< s
 constexpr double LeastPositionWeight = 1e-4;
 constexpr double GoodQuality = 0.5; ///< t from which a vertex has its full weight
 

@@ -6,6 +6,7 @@
 #include "Core/Solvers/BilaplacianPreconditioner.h"
 #include "Core/Solvers/ConjugateGradient.h"
 #include "Core/Solvers/DirectSolver.h"
+#include "Core/Solvers/MultilevelPreconditioner.h"
 #include "Core/Solvers/SolverPolicy.h"
 
 #include <cmath>
@@ -158,10 +159,11 @@ private:
   std::unique_ptr<NormalOperator<float>> A;
   std::shared_ptr<const ShiftedStiffness> Shifted; ///< of the last stage that had one
 };
-}
 
-Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
-  ProgressMonitor& monitor, Points guess)
+/// By conjugate gradients with one preconditioner, in single and, if need be, in double precision.
+template <typename MakePreconditioner>
+Solution SolveWith(const MakePreconditioner& make, const LeastSquaresProblem& problem,
+  const SolverOptions& options, ProgressMonitor& monitor, Points guess)
 {
   const Subdomain whole;
   PreconditionerCache none;
@@ -171,9 +173,8 @@ Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions
   if (!policy.IsFinished(solution))
   {
     NormalOperator<float> A(problem);
-    policy.Accept(Iterate(A, JacobiPreconditioner<float>(problem), options,
-                    options.maximumIterations, monitor, solution),
-      solution);
+    policy.Accept(
+      Iterate(A, make(), options, options.maximumIterations, monitor, solution), solution);
   }
   if (!policy.IsFinished(solution))
   {
@@ -181,6 +182,21 @@ Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions
   }
   solution.ProvideRows(problem.Size());
   return solution;
+}
+}
+
+Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
+  ProgressMonitor& monitor, Points guess)
+{
+  return SolveWith([&] { return JacobiPreconditioner<float>(problem); }, problem, options, monitor,
+    std::move(guess));
+}
+
+Solution SolveByLevels(const LeastSquaresProblem& problem, MultilevelBasis& basis,
+  const SolverOptions& options, ProgressMonitor& monitor)
+{
+  return SolveWith([&] { return MultilevelPreconditioner(problem, basis); }, problem, options,
+    monitor, Points(0, 3));
 }
 
 Solution Solve(const LeastSquaresProblem& problem, SolverType type, const SolverOptions& options,

@@ -4,6 +4,7 @@
 #define lmo_LinearSolver_h
 
 #include "Core/LeastSquares/LeastSquaresProblem.h"
+#include "Core/Multigrid/MultilevelBasis.h"
 #include "Core/Solvers/PreconditionerCache.h"
 #include "Core/Solvers/SolverOptions.h"
 
@@ -21,6 +22,10 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
 /// \param guess of the displacement, within the displacements allowed; no rows stand for 0
 Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
   ProgressMonitor& monitor, Points guess = Points(0, 3));
+
+/// The same with a MultilevelPreconditioner, for tangential displacements.
+Solution SolveByLevels(const LeastSquaresProblem& problem, MultilevelBasis& basis,
+  const SolverOptions& options, ProgressMonitor& monitor);
 }
 
 #endif
