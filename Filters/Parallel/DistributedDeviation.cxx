@@ -26,8 +26,8 @@ constexpr int SeamWidth = 12;
 
 /// The same of triangles that are bad in the end.
 constexpr int WorstWidth = 3;
-constexpr double WorstQuality = 0.5; ///< they have a smaller t
-constexpr double WorstShare = 0.02;  ///< of the triangles of one process that they are at most
+constexpr double WorstQuality = 0.75; ///< they have a smaller t
+constexpr double WorstShare = 0.02;   ///< of the triangles of one process that they are at most
 
 class Steps
 {
