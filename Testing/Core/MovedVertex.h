@@ -28,7 +28,7 @@ public:
     , Topology(lmo::BuildTopology(lmo::Index(mesh.V.rows()), mesh.T))
     , Neighbours(lmo::FindTriangleNeighbours(this->T, this->Topology))
     , Validity(this->Accepted, this->Candidate, this->T, this->Topology, this->Neighbours,
-        lmo::NormalsToKeep(accepted, this->T),
+        lmo::NormalsToKeep(accepted, this->T, this->Topology),
         lmo::SmoothedNormals(accepted, this->T, this->Topology))
   {
     for (lmo::Index t = 0; t < this->T.rows(); ++t)

@@ -173,7 +173,8 @@ void CheckNormalsToKeep(Checks& c)
   TestMesh mesh = Icosphere(1);
   mesh.T.row(3).reverseInPlace();
   mesh.V.row(mesh.T(7, 0)) = mesh.V.row(mesh.T(7, 1));
-  const Points normals = NormalsToKeep(mesh.V, mesh.T);
+  const Points normals =
+    NormalsToKeep(mesh.V, mesh.T, BuildTopology(static_cast<Index>(mesh.V.rows()), mesh.T));
   c.True("an inverted triangle and one without area have no side to keep",
     normals.row(3).isZero(0) && normals.row(7).isZero(0));
   c.True("the others have", (normals.rowwise().norm().array() > 0.9).count() >= mesh.T.rows() - 4);

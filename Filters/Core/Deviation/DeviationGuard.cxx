@@ -45,7 +45,7 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
              &reference.T == &triangles ? this->Neighbours : this->ReferenceNeighbours },
       this->Mesh, this->Neighbours, part.isSettled, (1 - Margin) * distance, monitor)
   , Shapes(this->Mesh.accepted, this->Mesh.candidate, triangles, topology, this->Neighbours,
-      NormalsToKeep(part.original.rows() > 0 ? part.original : V, triangles),
+      NormalsToKeep(part.original.rows() > 0 ? part.original : V, triangles, topology),
       SmoothedNormals(reference.V, reference.T, reference.topology))
   , Intersections(triangles, topology)
   , InputPairs(this->Intersections.FindAll(V, this->Bounds.GetTree(), monitor))
@@ -135,8 +135,10 @@ std::vector<Index> DeviationGuard::FindAstray(
   {
     astray.push_back(failure.triangle);
   }
-  std::copy_if(list.begin(), list.end(), std::back_inserter(astray),
+  std::vector<Index> straight = list;
+  const std::vector<Index> turned = Split(straight, monitor,
     [this](Index t) { return this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)); });
+  astray.insert(astray.end(), turned.begin(), turned.end());
   return astray;
 }
 

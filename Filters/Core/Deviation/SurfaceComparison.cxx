@@ -34,10 +34,10 @@ double RelativeVolumeChange(const Points& before, const Points& after, const Tri
   return volume != 0 ? (volumeOf(after) - volume) / std::abs(volume) : 0;
 }
 
-double CountFlippedTriangles(
-  const Points& before, const Points& after, const Triangles& triangles, const Subdomain& subdomain)
+double CountFlippedTriangles(const Points& before, const Points& after, const Triangles& triangles,
+  const MeshTopology& topology, const Subdomain& subdomain)
 {
-  const Points normals = NormalsToKeep(before, triangles);
+  const Points normals = NormalsToKeep(before, triangles, topology);
   return SumOverTriangles(triangles, subdomain,
     [&](Index t) {
       return HasTurnedOver(normals.row(t), ScaledNormal(after, triangles, t).stableNormalized());
@@ -64,13 +64,14 @@ double LargestDisplacement(const Points& before, const Points& after, const Subd
 }
 
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const Polygons& polygons, std::shared_ptr<const MeshQuality> quality,
-  const Eigen::AlignedBox3d& box, bool isClosed, const Subdomain& subdomain)
+  const Triangles& triangles, const MeshTopology& topology,
+  std::shared_ptr<const MeshQuality> quality, const Eigen::AlignedBox3d& box, bool isClosed,
+  const Subdomain& subdomain)
 {
   const double diagonal = box.isEmpty() ? 0 : box.diagonal().norm();
   SurfaceComparison comparison;
   comparison.before = std::move(quality);
-  comparison.after = MeasureQuality(after, triangles, polygons, subdomain);
+  comparison.after = MeasureQuality(after, triangles, topology.polygons, subdomain);
   comparison.maximumDisplacement = LargestDisplacement(before, after, subdomain);
   comparison.relativeMaximumDisplacement =
     diagonal > 0 ? comparison.maximumDisplacement / diagonal : 0;
@@ -81,7 +82,7 @@ SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
   comparison.triangles =
     static_cast<std::int64_t>(SumOverTriangles(triangles, subdomain, [](Index) { return 1.0; }));
   comparison.flippedTriangles =
-    static_cast<std::int64_t>(CountFlippedTriangles(before, after, triangles, subdomain));
+    static_cast<std::int64_t>(CountFlippedTriangles(before, after, triangles, topology, subdomain));
   return comparison;
 }
 }

@@ -28,13 +28,13 @@ struct SurfaceComparison
 /// that, since every point of a triangle moves no farther than its corners.
 double LargestDisplacement(const Points& before, const Points& after, const Subdomain& subdomain);
 
-/// \param polygons to which the triangles belong; empty if the triangles are the cells
 /// \param quality of \a before
 /// \param box of \a before
 /// \param isClosed the whole surface, of which this may be a part
 SurfaceComparison CompareSurfaces(const Points& before, const Points& after,
-  const Triangles& triangles, const Polygons& polygons, std::shared_ptr<const MeshQuality> quality,
-  const Eigen::AlignedBox3d& box, bool isClosed, const Subdomain& subdomain);
+  const Triangles& triangles, const MeshTopology& topology,
+  std::shared_ptr<const MeshQuality> quality, const Eigen::AlignedBox3d& box, bool isClosed,
+  const Subdomain& subdomain);
 }
 
 #endif

@@ -56,30 +56,17 @@ Points SmoothedNormals(const Points& V, const Triangles& triangles, const MeshTo
   return normals;
 }
 
-Points NormalsToKeep(const Points& V, const Triangles& triangles)
+Points NormalsToKeep(const Points& V, const Triangles& triangles, const MeshTopology& topology)
 {
+  const Points vertexNormals = VertexNormals(V, triangles, topology);
   Points normals(triangles.rows(), 3);
-  Points vertexNormals = Points::Zero(V.rows(), 3);
-  for (Index t = 0; t < static_cast<Index>(triangles.rows()); ++t)
-  {
-    const Vector3 normal = ScaledNormal(V, triangles, t);
-    normals.row(t) = normal.stableNormalized();
-    for (int k = 0; k < 3; ++k)
-    {
-      vertexNormals.row(triangles(t, k)) += normal;
-    }
-  }
-  ParallelFor(static_cast<Index>(V.rows()),
-    [&](Index i) { vertexNormals.row(i) = vertexNormals.row(i).stableNormalized().eval(); });
   ParallelFor(static_cast<Index>(triangles.rows()),
     [&](Index t)
     {
       const Vector3 sum = vertexNormals.row(triangles(t, 0)) + vertexNormals.row(triangles(t, 1)) +
                           vertexNormals.row(triangles(t, 2));
-      if (normals.row(t).dot(sum) < 0)
-      {
-        normals.row(t).setZero();
-      }
+      const Vector3 normal = ScaledNormal(V, triangles, t).stableNormalized();
+      normals.row(t) = normal.dot(sum) < 0 ? Vector3(Vector3::Zero()) : normal;
     });
   return normals;
 }

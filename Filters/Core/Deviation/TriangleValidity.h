@@ -9,7 +9,7 @@ namespace lmo
 {
 /// Unit normals of the triangles that have a side to keep; 0 for those that have no normal or are
 /// inverted: they face away from the sum of the vertex normals at their corners.
-Points NormalsToKeep(const Points& V, const Triangles& triangles);
+Points NormalsToKeep(const Points& V, const Triangles& triangles, const MeshTopology& topology);
 
 /// Sum of the vertex normals at each triangle's corners, as a unit vector: noise and nearly
 /// degenerate triangles turn it less than the triangle's own.

@@ -4,20 +4,20 @@
 
 #include "Core/Base/Threading.h"
 
+#include <array>
 #include <utility>
 
 namespace lmo
 {
 namespace
 {
-/// Adds m (x_k - mean of x) of a triangle's corners with the rows a, b and c of x.
+/// m (x_k - mean of x) of a triangle's corners with the rows a, b and c of x.
 template <typename Scalar, typename Row>
-void AddHeights(const Row& normal, const Row& a, const Row& b, const Row& c, Scalar* heights)
+std::array<Scalar, 3> HeightsOf(const Row& normal, const Row& a, const Row& b, const Row& c)
 {
   const Row mean = (a + b + c) / Scalar(3);
-  heights[0] += (normal.array() * (a - mean).array()).sum();
-  heights[1] += (normal.array() * (b - mean).array()).sum();
-  heights[2] += (normal.array() * (c - mean).array()).sum();
+  return { (normal.array() * (a - mean).array()).sum(), (normal.array() * (b - mean).array()).sum(),
+    (normal.array() * (c - mean).array()).sum() };
 }
 }
 
@@ -38,22 +38,30 @@ NormalAlignmentTerm::NormalAlignmentTerm(
   this->heights = this->MovedHeights(V);
 }
 
+Vector3 NormalAlignmentTerm::MovedHeightsOf(Index t, const Points& d) const
+{
+  if (d.rows() == 0)
+  {
+    return this->heights.row(t);
+  }
+  const auto ids = this->triangles.row(t);
+  const std::array<double, 3> change =
+    HeightsOf<double, Vector3>(this->normals.row(t), d.row(ids[0]), d.row(ids[1]), d.row(ids[2]));
+  return this->heights.row(t) + Eigen::Map<const Vector3>(change.data());
+}
+
 CornerValues NormalAlignmentTerm::MovedHeights(const Points& d) const
 {
-  CornerValues moved = this->heights;
-  ParallelFor(static_cast<Index>(d.rows() > 0 ? moved.rows() : 0),
-    [&](Index t)
-    {
-      const Index* const ids = this->triangles.row(t).data();
-      AddHeights<double, Vector3>(
-        this->normals.row(t), d.row(ids[0]), d.row(ids[1]), d.row(ids[2]), moved.row(t).data());
-    });
+  CornerValues moved(this->heights.rows(), 3);
+  ParallelFor(
+    static_cast<Index>(moved.rows()), [&](Index t) { moved.row(t) = this->MovedHeightsOf(t, d); });
   return moved;
 }
 
 double NormalAlignmentTerm::Energy(const Points& d) const
 {
-  return this->MovedHeights(d).squaredNorm();
+  return ParallelSum(static_cast<Index>(this->heights.rows()), 0.0,
+    [&](double& sum, Index t) { sum += this->MovedHeightsOf(t, d).squaredNorm(); });
 }
 
 void NormalAlignmentTerm::AddDiagonal(Index i, DiagonalBlock& block) const
@@ -102,9 +110,9 @@ void NormalAlignmentTerm::Product<Scalar>::Prepare(const PackedPoints<Scalar>& x
     {
       const Index* const ids = triangles + 3 * std::ptrdiff_t(t);
       Scalar* const height = heights + 3 * std::ptrdiff_t(t);
-      std::fill_n(height, 3, Scalar(0));
-      AddHeights<Scalar, PackedRow<Scalar>>(
-        normals.col(t), x.col(ids[0]), x.col(ids[1]), x.col(ids[2]), height);
+      const std::array<Scalar, 3> values = HeightsOf<Scalar, PackedRow<Scalar>>(
+        normals.col(t), x.col(ids[0]), x.col(ids[1]), x.col(ids[2]));
+      std::copy(values.begin(), values.end(), height);
     });
 }
 

@@ -49,7 +49,10 @@ struct NormalAlignmentTerm
     }
   }
 
-  /// m_t (V_k + d_k - c_t) for each corner; d without rows stands for 0.
+  /// m_t (V_k + d_k - c_t) for the corners of a triangle; d without rows stands for 0.
+  Vector3 MovedHeightsOf(Index t, const Points& d) const;
+
+  /// The same for all triangles.
   CornerValues MovedHeights(const Points& d) const;
 
   template <typename Scalar>

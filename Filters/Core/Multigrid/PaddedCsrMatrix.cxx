@@ -30,6 +30,7 @@ PaddedCsrMatrix::PaddedCsrMatrix(const SparseRows& matrix)
       for (Index k = first + offsets[i + 1] - offsets[i]; k < this->Offsets[i + 1]; ++k)
       {
         this->Columns[k] = this->Columns[k - 1];
+        this->Values[k] = 0;
       }
     });
 }

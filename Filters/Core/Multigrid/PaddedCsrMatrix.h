@@ -44,8 +44,8 @@ private:
   static constexpr Index Unit = 4;
 
   std::vector<Index> Offsets;
-  std::vector<Index> Columns;
-  std::vector<float> Values;
+  Eigen::Array<Index, Eigen::Dynamic, 1> Columns;
+  Eigen::ArrayXf Values;
 };
 
 class PaddedCsrMatrix::Times

@@ -49,7 +49,7 @@ OptimizerResult Complete(const CotangentQuantities& quantities, const RunPlan& p
   {
     result.normals = VertexNormals(result.positions, T, mesh.GetTopology());
   }
-  result.comparison = CompareSurfaces(V, result.positions, T, mesh.GetPolygons(), mesh.GetQuality(),
+  result.comparison = CompareSurfaces(V, result.positions, T, mesh.GetTopology(), mesh.GetQuality(),
     mesh.GetBox(), mesh.IsClosed(), mesh.GetSubdomain());
   result.freedom = plan.freedom;
   if (plan.options.mode == Mode::SMOOTH || plan.options.mode == Mode::SMOOTH_GUIDED)
