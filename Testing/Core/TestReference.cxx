@@ -165,7 +165,8 @@ void CheckTriangleLimits(Checks& c)
   AbovePlane above;
   const SurfaceView mesh{ above.mesh.V, above.mesh.T, above.neighbours };
   const SurfaceView plane{ above.plane.V, above.plane.T, above.planeNeighbours };
-  DeviationCertificates certificates(FindSeeds(mesh, above.tree, above.monitor));
+  DeviationCertificates certificates(
+    FindSeeds(mesh, above.tree, above.monitor), DeviationCertificates::BOUNDS);
   const DistanceLimits limits =
     CertifyInput(certificates, mesh, {}, plane, above.tree, 0.1, above.monitor);
   constexpr double height = AbovePlane::Height;

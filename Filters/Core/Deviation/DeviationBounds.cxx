@@ -28,8 +28,8 @@ DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMe
   , ReferenceTree(reference.V, reference.T, monitor)
   , Tree(this->IsOfMesh() ? TriangleBvh(mesh.candidate, this->ReferenceTree)
                           : TriangleBvh(mesh.candidate, mesh.T, monitor))
-  , ToReference(static_cast<Index>(mesh.T.rows()))
-  , ToCandidate(static_cast<Index>(reference.T.rows()))
+  , ToReference(static_cast<Index>(mesh.T.rows()), DeviationCertificates::BOUNDS)
+  , ToCandidate(static_cast<Index>(reference.T.rows()), DeviationCertificates::BOUNDS_AND_USED)
   , ToAccepted(this->ToCandidate)
   , Recertified(static_cast<Index>(reference.T.rows()))
 {
@@ -46,10 +46,12 @@ DeviationBounds::DeviationBounds(const SurfaceView& reference, const CandidateMe
 void DeviationBounds::CertifyBeginning(const Mask& isSettled, ProgressMonitor& monitor)
 {
   const SurfaceView mesh = this->CandidateView();
-  this->ToReference = DeviationCertificates(FindSeeds(mesh, this->ReferenceTree, monitor));
+  this->ToReference = DeviationCertificates(
+    FindSeeds(mesh, this->ReferenceTree, monitor), DeviationCertificates::BOUNDS);
   this->LimitsOfMesh = CertifyInput(this->ToReference, mesh, isSettled, this->Reference,
     this->ReferenceTree, this->Distance, monitor);
-  this->ToCandidate = DeviationCertificates(FindSeeds(this->Reference, this->Tree, monitor));
+  this->ToCandidate = DeviationCertificates(
+    FindSeeds(this->Reference, this->Tree, monitor), DeviationCertificates::BOUNDS_AND_USED);
   this->LimitsOfReference =
     CertifyInput(this->ToCandidate, this->Reference, {}, mesh, this->Tree, this->Distance, monitor);
   this->ToAccepted = this->ToCandidate;
@@ -160,7 +162,7 @@ bool DeviationBounds::CarryToReference(Index t)
   {
     return false;
   }
-  this->ToReference.Set(t, { centre, heights, { centre } });
+  this->ToReference.Set(t, { centre, heights, {} });
   return true;
 }
 

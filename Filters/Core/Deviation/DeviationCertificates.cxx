@@ -14,7 +14,8 @@ namespace
 {
 /// Keeps what an overlay says.
 void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
-  DeviationCertificates::Certificate& certificate, Index& close)
+  DeviationCertificates::Content kept, DeviationCertificates::Certificate& certificate,
+  Index& close)
 {
   if (overlay.GetCentre() >= 0)
   {
@@ -23,7 +24,10 @@ void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
   if (verdict == OverlayBound::WITHIN)
   {
     certificate.heights = overlay.GetHeights();
-    certificate.used = overlay.GetUsed();
+    if (kept == DeviationCertificates::BOUNDS_AND_USED)
+    {
+      certificate.used = overlay.GetUsed();
+    }
   }
   else if (verdict == OverlayBound::BEYOND)
   {
@@ -40,10 +44,12 @@ constexpr int FewSearches = 256;
 class Prover
 {
 public:
-  Prover(const SurfaceView& from, const SurfaceView& to, const DistanceLimits& limits)
+  Prover(const SurfaceView& from, const SurfaceView& to, const DistanceLimits& limits,
+    DeviationCertificates::Content kept)
     : From(from)
     , To(to)
     , Limits(limits)
+    , Kept(kept)
   {
   }
 
@@ -56,7 +62,7 @@ public:
     const double distance = this->Limits(triangle);
     const OverlayBound::Verdict verdict =
       this->Overlay.Test(corners, this->To, subdivision, certificate.seed, distance);
-    Store(this->Overlay, verdict, certificate, close);
+    Store(this->Overlay, verdict, this->Kept, certificate, close);
     if (verdict != OverlayBound::UNCLEAR || !subdivision)
     {
       return verdict;
@@ -67,7 +73,12 @@ public:
     {
       return OverlayBound::BEYOND;
     }
-    certificate = { nearness.used[0], { -distance, distance }, std::move(nearness.used) };
+    certificate.seed = nearness.used[0];
+    certificate.heights = { -distance, distance };
+    if (this->Kept == DeviationCertificates::BOUNDS_AND_USED)
+    {
+      certificate.used = std::move(nearness.used);
+    }
     return OverlayBound::WITHIN;
   }
 
@@ -75,23 +86,29 @@ private:
   const SurfaceView& From;
   const SurfaceView& To;
   const DistanceLimits& Limits;
+  const DeviationCertificates::Content Kept;
   OverlayBound Overlay;
 };
 }
 
-DeviationCertificates::DeviationCertificates(Index triangles)
+DeviationCertificates::DeviationCertificates(Index triangles, Content content)
   : Certificates(triangles)
+  , Kept(content)
 {
   ParallelFor(triangles,
     [this](Index t)
     {
       this->Certificates[t].seed = t;
-      this->Certificates[t].used.assign(1, t);
+      if (this->Kept == BOUNDS_AND_USED)
+      {
+        this->Certificates[t].used.assign(1, t);
+      }
     });
 }
 
-DeviationCertificates::DeviationCertificates(const std::vector<Index>& seeds)
+DeviationCertificates::DeviationCertificates(const std::vector<Index>& seeds, Content content)
   : Certificates(seeds.size())
+  , Kept(content)
 {
   ParallelFor(this->Size(), [&](Index t) { this->Certificates[t].seed = seeds[t]; });
 }
@@ -108,7 +125,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
   const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
   const DistanceLimits& limits)
 {
-  Prover prover(from, to, limits);
+  Prover prover(from, to, limits, this->Kept);
   this->Effort += static_cast<std::int64_t>(list.size());
   std::vector<Index> open;
   Index close = -1;
@@ -151,7 +168,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
   const auto proveOpen = [&](const TriangleBvh* closest)
   {
     InterruptibleFor(size, monitor,
-      [&, prover = Prover(from, to, limits)](Index k) mutable
+      [&, prover = Prover(from, to, limits, this->Kept)](Index k) mutable
       {
         if (states[k] == OverlayBound::UNCLEAR)
         {

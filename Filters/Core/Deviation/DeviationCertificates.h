@@ -76,12 +76,19 @@ public:
     FIRST_FAILURE ///< it ends at one failure, and what takes long to prove is one, too
   };
 
+  /// What is kept of certificates.
+  enum Content
+  {
+    BOUNDS,         ///< all but Certificate::used
+    BOUNDS_AND_USED ///< all
+  };
+
   /// Two meshes with the same triangles in the same places.
-  explicit DeviationCertificates(Index triangles);
+  DeviationCertificates(Index triangles, Content content);
 
   /// Nothing is certified yet.
   /// \param seeds for each triangle one of the second mesh that is close to its centre
-  explicit DeviationCertificates(const std::vector<Index>& seeds);
+  DeviationCertificates(const std::vector<Index>& seeds, Content content);
 
   /// Proves anew that the triangles of \a list of the mesh \a from are within their limits of the
   /// mesh \a to.
@@ -117,6 +124,7 @@ private:
     const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits);
 
   std::vector<Certificate> Certificates;
+  Content Kept;
   std::int64_t Effort = 0;
 };
 
