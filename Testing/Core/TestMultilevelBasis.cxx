@@ -134,9 +134,9 @@ void CheckSolution(Checks& c, const std::string& name, const TestMesh& mesh, Ind
 
 void CheckSolutions(Checks& c)
 {
-  CheckSolution(c, "closed", Irregular(Icosphere(5), 0.01), 2);
-  CheckSolution(c, "boundary", Irregular(HalfSphere(5), 0.005), 3);
-  CheckSolution(c, "feature lines", Irregular(Cube(5), 0.005), 2);
+  CheckSolution(c, "closed", Irregular(Icosphere(4), 0.01), 2);
+  CheckSolution(c, "boundary", Irregular(HalfSphere(4), 0.005), 2);
+  CheckSolution(c, "feature lines", Irregular(Cube(4), 0.005), 2);
   CheckSolution(c, "isolated point", WithIsolatedPoint(Irregular(Icosphere(4), 0.01)), 2);
 }
 
