@@ -6,6 +6,7 @@
 #include "Core/Optimizer/GuidedSmoothing.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace lmo
 {
@@ -17,11 +18,11 @@ constexpr double LaterWidth = 0.4;      ///< factor of NormalWidth after the fir
 constexpr double RoughTolerance = 1e-3; ///< of solutions that only lead to the next normals
 
 /// Solves for the positions that follow the filtered normals of the result so far.
-Solution Follow(const MeshQuantities& mesh, const RunPlan& plan, const Points& normals,
+Solution Follow(const MeshQuantities& mesh, const RunPlan& plan, Points normals,
   const Points& positions, const SolverOptions& solver, ProgressMonitor& monitor)
 {
   const Points& start = StartOf(mesh, plan);
-  return FollowNormals(start, mesh.GetTriangles(), mesh.GetTopology(), normals,
+  return FollowNormals(start, mesh.GetTriangles(), mesh.GetTopology(), std::move(normals),
     plan.problem.laplacian.L, plan.problem.constraints, plan.options.guide.detailWeight,
     positions - start, solver, monitor);
 }
@@ -59,11 +60,12 @@ ModeResult SmoothGuided(const MeshQuantities& mesh, RunPlan& plan, ProgressMonit
                               : std::max(RoughTolerance, plan.options.solver.tolerance);
     PartialMonitor filtering(monitor, round * share, (round + 0.3) * share);
     filtering.Begin("Filtering normals");
-    const Points normals = FilterNormals(result.positions, mesh.GetTriangles(), mesh.GetTopology(),
+    Points normals = FilterNormals(result.positions, mesh.GetTriangles(), mesh.GetTopology(),
       iterations, (round == 1 ? 1 : LaterWidth) * guide.normalWidth, filtering);
     PartialMonitor following(monitor, (round + 0.3) * share, (round + 1) * share);
     following.Begin("Following normals");
-    const Solution solution = Follow(mesh, plan, normals, result.positions, solver, following);
+    const Solution solution =
+      Follow(mesh, plan, std::move(normals), result.positions, solver, following);
     result.relativeResidual = 0; // the last one counts
     AddSolution(solution, solver.tolerance, result);
     result.positions = StartOf(mesh, plan) + solution.displacement;

@@ -37,24 +37,27 @@ Matrix3 FreeDirections(const AdjacencyLists& cornersAt, const Points& normals, I
 }
 
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const Points& normals, const Laplacian& L, const DisplacementConstraints& constraints,
+  Points normals, const Laplacian& L, const DisplacementConstraints& constraints,
   double detailWeight, Points guess, const SolverOptions& options, ProgressMonitor& monitor)
 {
   const Index size = topology.vertices;
   LeastSquaresProblem problem;
   problem.constraints = constraints;
   problem.position.weights = Vector::Constant(size, detailWeight);
-  problem.normalAlignment = NormalAlignmentTerm(V, triangles, topology.cornersAt, normals);
   problem.laplacian.L = L;
   problem.laplacian.weights = Vector::Ones(size);
-  problem.laplacian.target = std::make_shared<const Points>(-Apply(L, V));
   problem.laplacian.projectors.resize(size);
+  auto target = std::make_shared<Points>(size, 3);
   ParallelFor(size,
     [&](Index i)
     {
+      target->row(i) = L.rowScale[i] * StiffnessRow(L, V, i); // -L V
       problem.laplacian.projectors[i] = FreeDirections(topology.cornersAt, normals, i);
       guess.row(i) = constraints.Project(i, guess.row(i));
     });
+  problem.laplacian.target = std::move(target);
+  problem.normalAlignment =
+    NormalAlignmentTerm(V, triangles, topology.cornersAt, std::move(normals));
   return SolveByDiagonal(problem, options, monitor, std::move(guess));
 }
 }

@@ -18,7 +18,7 @@ namespace lmo
 /// \param guess of the displacement
 /// \throw Cancelled if the monitor says so.
 Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTopology& topology,
-  const Points& normals, const Laplacian& L, const DisplacementConstraints& constraints,
+  Points normals, const Laplacian& L, const DisplacementConstraints& constraints,
   double detailWeight, Points guess, const SolverOptions& options, ProgressMonitor& monitor);
 }
 
