@@ -67,7 +67,7 @@ double EnergyOf(LeastSquaresProblem problem, const Eigen::VectorXf& function)
 /// Largest error of BasisEnergies(), relative to the energy.
 double EnergyError(const LeastSquaresProblem& problem, const SparseRows& functions)
 {
-  const Eigen::ArrayXf energies = BasisEnergies(problem, functions, 1);
+  const Eigen::ArrayXf energies = BasisEnergies(problem, functions);
   double error = 0;
   for (Index k = 0; k < static_cast<Index>(functions.cols()); k += 7)
   {

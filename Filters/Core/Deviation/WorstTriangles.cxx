@@ -20,7 +20,7 @@ constexpr int MostSweeps = 10;        ///< for one goal
 constexpr int Directions = 12;
 constexpr double LargestLoss = 2e-3;          ///< of t_mean, at which triangles are raised
 constexpr double MostLossForGain = 25;        ///< of the sum of t, for a gain of the least t
-constexpr double RelativeEffort = 1.5;        ///< of proofs, in terms of those until then
+constexpr double RelativeEffort = 1.25;       ///< of proofs, in terms of those until then
 constexpr double EnoughEffort = 60000;        ///< where those were few
 constexpr double Shares[] = { 1, 0.5, 0.25 }; ///< of a displacement that the guard is asked for
 constexpr std::size_t MostPlaces = 50;        ///< that it is asked for where it refuses the best
@@ -321,11 +321,15 @@ void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
   Search search(guard, triangles, topology, constraints, place);
   search.Raise(BadQuality, OfMany, monitor);
   double least = search.GetLeast();
-  for (double rise = 1; rise > (least < BadQuality ? 0 : SmallestRise) && least < 1;)
+  double goal = 0;
+  for (double rise = 1; rise > 0 || goal < LiftedGoal;)
   {
-    search.Raise(least + GoalStep, OfWorst, monitor);
-    rise = search.GetLeast() - least;
-    least += rise;
+    // Where the worst triangle is stuck, the others may still rise, and loosen it.
+    goal = rise > 0 ? least + GoalStep : LiftedGoal;
+    search.Raise(goal, OfWorst, monitor);
+    const double gain = search.GetLeast() - least;
+    least += gain;
+    rise = least < BadQuality || gain > SmallestRise ? gain : 0;
   }
 }
 }

@@ -83,10 +83,10 @@ private:
   Eigen::ArrayXf Sums;
 };
 
-void AddVertex(const LeastSquaresProblem& problem, Index i, Index stride, RowSums& sums)
+void AddVertex(const LeastSquaresProblem& problem, Index i, RowSums& sums)
 {
   sums.Add(i, 1);
-  sums.Finish(stride * problem.position.SquaredWeight(i));
+  sums.Finish(problem.position.SquaredWeight(i));
   const double rowWeight = problem.laplacian.RowWeight(i);
   if (rowWeight > 0)
   {
@@ -96,7 +96,7 @@ void AddVertex(const LeastSquaresProblem& problem, Index i, Index stride, RowSum
     {
       sums.Add(L.rings->ids[k], L.edgeWeights ? -static_cast<float>((*L.edgeWeights)[k]) : -1.0f);
     }
-    sums.Finish(stride * rowWeight);
+    sums.Finish(rowWeight);
   }
 }
 
@@ -111,22 +111,20 @@ void AddPolylineRow(const PolylineRow& row, RowSums& sums)
 }
 }
 
-Eigen::ArrayXf BasisEnergies(
-  const LeastSquaresProblem& problem, const SparseRows& functions, Index stride)
+Eigen::ArrayXf BasisEnergies(const LeastSquaresProblem& problem, const SparseRows& functions)
 {
   constexpr Index parts = 64; // of the vertices, whatever the number of threads
   const PackedProjections<float> projections(problem);
-  const Index samples = problem.Size() / stride;
   std::vector<Eigen::ArrayXf> energies(parts);
   ParallelTasks(parts,
     [&](Index part)
     {
       RowSums sums(functions, projections);
       const auto bound = [&](Index k)
-      { return static_cast<Index>(std::int64_t(samples) * k / parts); };
-      for (Index k = bound(part); k < bound(part + 1); ++k)
+      { return static_cast<Index>(std::int64_t(problem.Size()) * k / parts); };
+      for (Index i = bound(part); i < bound(part + 1); ++i)
       {
-        AddVertex(problem, k * stride, stride, sums);
+        AddVertex(problem, i, sums);
       }
       energies[part] = sums.Get();
     });

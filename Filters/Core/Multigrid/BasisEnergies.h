@@ -12,10 +12,7 @@ namespace lmo
 /// vectors e, of d^T A d for the displacements d_i = P_i (w_i e), where P_i projects on what the
 /// constraints allow. Of A, the terms of positions, Laplacians and polylines are taken.
 /// \param functions a row for each vertex, a column for each function
-/// \param stride one of so many vertices is chosen, whose rows of the first two terms stand for
-/// the others', > 0
-Eigen::ArrayXf BasisEnergies(
-  const LeastSquaresProblem& problem, const SparseRows& functions, Index stride);
+Eigen::ArrayXf BasisEnergies(const LeastSquaresProblem& problem, const SparseRows& functions);
 }
 
 #endif

@@ -10,18 +10,16 @@ namespace lmo
 {
 MultilevelBasis::MultilevelBasis(const LeastSquaresProblem& problem, ProgressMonitor& monitor)
 {
-  constexpr Index coarsening = 4; // of the sample; there are fewer functions still
   constexpr Index expectedEntries = 8;
   SparseRows functions; // on the vertices
-  Index stride = 1;
   for (const SparseRows& shares : BasisFunctions(*problem.laplacian.L.rings, monitor))
   {
     monitor.Report(0);
-    functions = stride == 1 ? shares : Multiply(SparseRowList(functions), shares, expectedEntries);
-    const Eigen::ArrayXf energies = BasisEnergies(problem, functions, stride);
+    functions =
+      this->Scales.empty() ? shares : Multiply(SparseRowList(functions), shares, expectedEntries);
+    const Eigen::ArrayXf energies = BasisEnergies(problem, functions);
     this->Scales.push_back({ PaddedCsrMatrix(shares), PaddedCsrMatrix(shares.transpose()),
       (energies > 0).select(1 / energies, 0.0f), PackedPoints<float>(4, energies.size()) });
-    stride *= coarsening;
   }
 }
 
