@@ -240,7 +240,7 @@ MUTANTS = [
          "TestSelfIntersections-Report"),
         ("boxes that overlap are compared", "Deviation/SelfIntersections.cxx",
          "!(this->Low(k, 0) > high[0])", "!(this->Low(k, 0) < high[0])",
-         "TestSelfIntersections-Pairs"),
+         "TestSelfIntersections-Report"),
         ("new pairs are counted", "Deviation/SelfIntersections.cxx",
          "report.added += !std::binary_search(before.begin(), before.end(), pair);", "",
          "TestSelfIntersections-Report"),
