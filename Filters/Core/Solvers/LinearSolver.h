@@ -23,7 +23,10 @@ Solution Solve(const LeastSquaresProblem& problem, SolverType type, const Solver
 Solution SolveByDiagonal(const LeastSquaresProblem& problem, const SolverOptions& options,
   ProgressMonitor& monitor, Points guess = Points(0, 3));
 
-/// The same with a MultilevelPreconditioner, for tangential displacements.
+/// The same with a MultilevelPreconditioner, for problems with at most two free directions at each
+/// vertex.
+/// \param basis of this problem or of one with other weights and axes
+/// \throw Cancelled if the monitor says so.
 Solution SolveByLevels(const LeastSquaresProblem& problem, MultilevelBasis& basis,
   const SolverOptions& options, ProgressMonitor& monitor);
 }

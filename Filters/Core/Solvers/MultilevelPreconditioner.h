@@ -10,14 +10,15 @@
 
 namespace lmo
 {
-/// M^-1 is that of the diagonal plus the projection of a MultilevelBasis.
+/// M^-1 r is the inverse diagonal of A times r, for short waves, plus the projection, on what the
+/// constraints allow, of the MultilevelBasis' sum times r, for long ones.
 class MultilevelPreconditioner
 {
 public:
   static constexpr bool IsRowWise = false;
   static constexpr double ReplacementRatio = JacobiPreconditioner<float>::ReplacementRatio;
 
-  /// \param problem coupled
+  /// \param problem with LeastSquaresProblem::IsCoupled()
   /// \param basis of this or a similar problem
   MultilevelPreconditioner(const LeastSquaresProblem& problem, MultilevelBasis& basis)
     : Jacobi(problem)
