@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Core/Deviation/StarSearch.h"
 
+#include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Mesh/TriangleQuality.h"
 
 #include <Eigen/Geometry>
@@ -18,6 +19,16 @@ constexpr int StepsOfLength = 4;      ///< before steps become shorter
 constexpr double LiftStep = 0.01;     ///< in mean edge lengths
 constexpr double HighestLift = 0.105; ///< the same; it tilts three triangles by 20 degrees
 constexpr double TurnedOver = -1;     ///< in the place of t
+}
+
+bool StarSearch::IsFlat(Index vertex) const
+{
+  constexpr double cosine = 0.9998; // of 1 degree
+  const Vector3 normal = VertexNormal(this->V, this->T, this->Topology, vertex);
+  const AdjacencyLists::Range corners = this->Topology.cornersAt[vertex];
+  return std::all_of(corners.begin(), corners.end(),
+    [&](Index corner)
+    { return ScaledNormal(this->V, this->T, corner / 3).stableNormalized().dot(normal) > cosine; });
 }
 
 void StarSearch::SetVertex(Index vertex)

@@ -50,6 +50,9 @@ public:
   {
   }
 
+  /// True if the triangles at a vertex lie in a plane, which is to stay one.
+  bool IsFlat(Index vertex) const;
+
   /// Reads the cells at a vertex.
   void SetVertex(Index vertex);
 

@@ -153,18 +153,6 @@ private:
     return normal.cwiseProduct(this->Constraints.freeAxes).stableNormalized();
   }
 
-  /// True if the triangles at the vertex lie in a plane, which is to stay one.
-  bool IsFlat(Index vertex) const
-  {
-    constexpr double cosine = 0.9998; // of 1 degree
-    const Points& V = this->Guard.GetAccepted();
-    const Vector3 normal = VertexNormal(V, this->T, this->Topology, vertex);
-    const AdjacencyLists::Range corners = this->Topology.cornersAt[vertex];
-    return std::all_of(corners.begin(), corners.end(),
-      [&](Index corner)
-      { return ScaledNormal(V, this->T, corner / 3).stableNormalized().dot(normal) > cosine; });
-  }
-
   /// Unit directions in which the vertex may move.
   std::vector<Vector3> DirectionsOf(Index vertex) const
   {
@@ -213,7 +201,7 @@ private:
     if (move == LIFTED)
     {
       return this->Constraints.freedom[vertex] == DisplacementConstraints::IN_PLANE &&
-             !this->IsFlat(vertex);
+             !this->Star.IsFlat(vertex);
     }
     return !this->IsFixed(vertex) && !this->IsExhausted[vertex];
   }

@@ -159,8 +159,7 @@ double WeightSum(const Laplacian& L, Index i)
 Points Apply(const Laplacian& L, const Points& x)
 {
   Points result(x.rows(), 3);
-  ParallelFor(
-    RowCount(*L.rings), [&](Index i) { result.row(i) = -L.rowScale[i] * StiffnessRow(L, x, i); });
+  ParallelFor(RowCount(*L.rings), [&](Index i) { result.row(i) = LaplacianRow(L, x, i); });
   return result;
 }
 }

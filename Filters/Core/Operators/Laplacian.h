@@ -87,7 +87,13 @@ inline Vector3 StiffnessRow(const Laplacian& L, const Points& x, Index i)
   return sum;
 }
 
-/// Eqn. 6: L x = -G K x, one row per vertex.
+/// Row i of L x = -G K x.
+inline Vector3 LaplacianRow(const Laplacian& L, const Points& x, Index i)
+{
+  return -L.rowScale[i] * StiffnessRow(L, x, i);
+}
+
+/// Eqn. 6: L x, one row per vertex.
 Points Apply(const Laplacian& L, const Points& x);
 
 /// Sum of the edge weights around vertex i: E_ii.

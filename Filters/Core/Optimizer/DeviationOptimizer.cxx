@@ -23,7 +23,6 @@ constexpr double SmallestShare = 0.2;    ///< of a displacement that is worth ke
 constexpr double ReducedFactor = 1.3;    ///< of W_p where the guard reduced the displacement
 constexpr double Release = 0.7;          ///< and where it was not
 constexpr double OverRelaxation = 1.8;   ///< of the displacement where none was reduced
-constexpr double CentringShare = 0.6;    ///< of the distance, used up, from which on it is centred
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
 constexpr double SmallestRest = 0.5;     ///< of a gain, for which an earlier step is enough
@@ -102,10 +101,6 @@ private:
   bool Backtrack(
     const Points& displacement, double leastQuality, double loss, ProgressMonitor& monitor);
 
-  /// How far along its normal the vertex has to move for its triangles to be, at their extremes, as
-  /// far above the original surface as below it; 0 if there is distance left.
-  double CentreAt(Index i) const;
-
   /// The closest position that the vertex may have.
   Vector3 Place(Index i, const Vector3& position) const;
 
@@ -148,21 +143,11 @@ Solution Passes::Propose(ProgressMonitor& monitor)
       if (this->Problem.constraints.freedom[i] == DisplacementConstraints::IN_PLANE)
       {
         solution.displacement.row(i) +=
-          Centring * this->CentreAt(i) * this->Problem.constraints.axes.row(i);
+          Centring * CentreAt(this->Guard, this->Mesh.GetTopology(), this->Distance, i) *
+          this->Problem.constraints.axes.row(i);
       }
     });
   return solution;
-}
-
-double Passes::CentreAt(Index i) const
-{
-  const AdjacencyLists& cornersAt = this->Mesh.GetTopology().cornersAt;
-  HeightRange heights;
-  for (const Index corner : cornersAt[i])
-  {
-    heights.Add(this->Guard.GetHeights(corner / 3));
-  }
-  return heights.Largest() > CentringShare * this->Distance ? heights.Centre() : 0;
 }
 
 Vector3 Passes::Place(Index i, const Vector3& position) const

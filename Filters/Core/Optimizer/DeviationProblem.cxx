@@ -18,7 +18,8 @@ namespace
 {
 constexpr double PositionScale = 0.03; ///< s
 constexpr double LeastPositionWeight = 1e-4;
-constexpr double GoodQuality = 0.5; ///< t from which a vertex has its full weight
+constexpr double CentringShare = 0.6; ///< of the distance, used up, from which on it is centred
+constexpr double GoodQuality = 0.5;   ///< t from which a vertex has its full weight
 
 /// Vertices of high valence and their neighbours stay: thousands of triangles that meet in a point
 /// are close to each other everywhere, and the guard would compare all of them.
@@ -108,8 +109,7 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
     [&](Index i)
     {
       // c = f - L_u V with f = n n^T L_u V
-      const Vector3 laplacian =
-        -problem.laplacian.L.rowScale[i] * StiffnessRow(problem.laplacian.L, V, i);
+      const Vector3 laplacian = LaplacianRow(problem.laplacian.L, V, i);
       const Vector3 normal = constraints.axes.row(i);
       target->row(i) = laplacian.dot(normal) * normal - laplacian;
     });
@@ -156,6 +156,16 @@ Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Tria
     }
   }
   return isBlamed;
+}
+
+double CentreAt(const DeviationGuard& guard, const MeshTopology& topology, double distance, Index i)
+{
+  HeightRange heights;
+  for (const Index corner : topology.cornersAt[i])
+  {
+    heights.Add(guard.GetHeights(corner / 3));
+  }
+  return heights.Largest() > CentringShare * distance ? heights.Centre() : 0;
 }
 
 double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, const RunPlan& plan)

@@ -38,6 +38,12 @@ Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
 Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Triangles& triangles,
   const Vector& shares);
 
+/// How far along its normal a vertex has to move for its triangles to be, at their extremes, as far
+/// above the reference as below it; 0 if there is distance left.
+/// \param distance allowed
+double CentreAt(
+  const DeviationGuard& guard, const MeshTopology& topology, double distance, Index i);
+
 /// Bound of the Hausdorff distance of reference and accepted mesh: what is certified; where the
 /// mesh itself is the reference, the largest displacement if that is smaller.
 double HausdorffBound(const DeviationGuard& guard, const MeshQuantities& mesh, const RunPlan& plan);

@@ -51,7 +51,7 @@ Solution FollowNormals(const Points& V, const Triangles& triangles, const MeshTo
   ParallelFor(size,
     [&](Index i)
     {
-      target->row(i) = L.rowScale[i] * StiffnessRow(L, V, i); // -L V
+      target->row(i) = -LaplacianRow(L, V, i);
       problem.laplacian.projectors[i] = FreeDirections(topology.cornersAt, normals, i);
       guess.row(i) = constraints.Project(i, guess.row(i));
     });
