@@ -36,6 +36,12 @@ class Proxies(unittest.TestCase):
                 self.assertEqual(menu.GetAttribute("category"), "Surface Mesh Improvement", name)
                 self.assertEqual(prototype(name).GetXMLLabel(), MENU[name])
 
+    def test_search_by_ctrl_space_finds_the_words_that_users_type(self):
+        for word, names in SEARCH.items():
+            for name in names:
+                found = prototype(name).GetDocumentation().GetShortHelp() + MENU[name]
+                self.assertIn(word, found.lower(), f"{word}: {name}")
+
     def test_client_side_objects_are_the_wrapped_classes(self):
         for name in PROPERTIES:
             expected = getattr(laplacianmesh, "vtk" + name)

@@ -232,3 +232,20 @@ MENU = {
     "TriangleRadiusRatio": "Triangle Radius Ratio",
     "SurfaceDeviationHausdorff": "Surface Deviation (Hausdorff Distance)",
 }
+
+# What ParaView's search has to find, in labels or, from ParaView 5.13 on, in short helps too.
+IMPROVE = ["ImproveTriangles", "ImproveTrianglesFast", "LaplacianMeshOptimizer"]
+DENOISE = ["DenoiseSurface", "DenoiseSurfaceFlatFaces"]
+SEARCH = {
+    "smooth": [*DENOISE, "LaplacianMeshOptimizer"],
+    "fair": ["DenoiseSurface", "LaplacianMeshOptimizer"],
+    "denoise": DENOISE,
+    "noise": DENOISE,
+    "remesh": IMPROVE,
+    "triangle quality": IMPROVE,
+    "hausdorff": ["SurfaceDeviationHausdorff"],
+    "distance": ["SurfaceDeviationHausdorff"],
+    "deviation": ["SurfaceDeviationHausdorff"],
+    "curvature": ["MeshLaplacianAndCurvature"],
+    "laplacian": ["MeshLaplacianAndCurvature", "LaplacianMeshOptimizer"],
+}
