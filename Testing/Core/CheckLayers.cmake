@@ -5,15 +5,16 @@
 #
 #   cmake -DFILTERS=<folder> -P CheckLayers.cmake
 cmake_minimum_required(VERSION 3.20)
-set(rooms Base Mesh Operators Deviation LeastSquares Multigrid Solvers Optimizer)
+set(rooms Base Mesh Operators Deviation WorstTriangles LeastSquares Multigrid Solvers Optimizer)
 set(below_Base)
 set(below_Mesh Base)
 set(below_Operators Base Mesh)
 set(below_Deviation Base Mesh)
+set(below_WorstTriangles Base Mesh Deviation)
 set(below_LeastSquares Base Mesh Operators)
 set(below_Multigrid Base Mesh Operators LeastSquares)
 set(below_Solvers Base Mesh Operators LeastSquares Multigrid)
-set(below_Optimizer Base Mesh Operators Deviation LeastSquares Multigrid Solvers)
+set(below_Optimizer Base Mesh Operators Deviation WorstTriangles LeastSquares Multigrid Solvers)
 set(largest_room 15) # units
 
 # Threads of our own are strangers to vtkSMPTools: what asks it who the calling thread is stands in

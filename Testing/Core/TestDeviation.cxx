@@ -6,7 +6,7 @@
 
 #include "Core/Deviation/DeviationGuard.h"
 #include "Core/Deviation/OverlayBound.h"
-#include "Core/Deviation/WorstTriangles.h"
+#include "Core/WorstTriangles/WorstTriangles.h"
 #include "Core/Mesh/TriangleBvh.h"
 #include "Core/Optimizer/Optimizer.h"
 
@@ -141,7 +141,7 @@ void CheckGrowth(Checks& c, const std::string& name, double growth)
     {
       guard.Propose(i, centre + (1 + step * growth) * (square.V.row(i) - centre));
     }
-    if (!guard.Judge(all, 0, DeviationGuard::ALL_FAILURES, monitor).empty())
+    if (!guard.Judge(all, 0, DeviationGuard::MANY_VERTICES, monitor).empty())
     {
       break;
     }

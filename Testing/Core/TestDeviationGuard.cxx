@@ -49,12 +49,12 @@ private:
   DeviationGuard Guard;
 };
 
-constexpr DeviationGuard::Extent Extents[] = { DeviationGuard::ALL_FAILURES,
-  DeviationGuard::FIRST_FAILURE };
+constexpr DeviationGuard::Extent Extents[] = { DeviationGuard::MANY_VERTICES,
+  DeviationGuard::SINGLE_VERTICES };
 
 std::string Named(const std::string& property, DeviationGuard::Extent extent)
 {
-  return property + (extent == DeviationGuard::ALL_FAILURES ? ", all failures" : ", the first");
+  return property + (extent == DeviationGuard::MANY_VERTICES ? ", all failures" : ", the first");
 }
 
 /// Displacements of one vertex of a flat ring, each of which one limit alone decides.

@@ -26,10 +26,11 @@ std::shared_ptr<const MeshQuantities> AsReference(const TestMesh& mesh)
   return std::make_shared<MeshQuantities>(mesh.V, mesh.T);
 }
 
-OptimizerResult Run(
-  const TestMesh& mesh, std::shared_ptr<const MeshQuantities> reference, double deviation)
+OptimizerResult Run(const TestMesh& mesh, std::shared_ptr<const MeshQuantities> reference,
+  double deviation, int passes = OptimizerOptions().deviation.passes)
 {
   OptimizerOptions options;
+  options.deviation.passes = passes;
   options.deviation.maximum = deviation;
   options.deviation.isAbsolute = true;
   VertexArrays arrays;
@@ -100,11 +101,32 @@ void CheckRepeated(Checks& c)
 
 void CheckSecondRun(Checks& c)
 {
+  double largest = 0;
+  for (const int thinning : { 1, 4, 6 })
+  {
+    const TestMesh mesh = WithThinTriangles(Torus(24, 10, 0.2), thinning, 0.7);
+    const OptimizerResult first = Run(mesh, nullptr, Deviation);
+    const OptimizerResult second = Run({ first.positions, mesh.T }, AsReference(mesh), Deviation);
+    largest = Larger(largest, std::abs(second.comparison.after.mean - first.comparison.after.mean));
+  }
+  c.Error("the mode changes its own results by less than 1e-3 of the mean radius ratio", largest, 1e-3);
+}
+
+void CheckContinued(Checks& c)
+{
   const TestMesh mesh = WithThinTriangles(Torus(24, 10, 0.2), 4, 0.7);
-  const OptimizerResult first = Run(mesh, nullptr, Deviation);
-  const OptimizerResult second = Run({ first.positions, mesh.T }, AsReference(mesh), Deviation);
-  c.Error("the mode changes its own result by less than 1e-3 of the mean radius ratio",
-    std::abs(second.comparison.after.mean - first.comparison.after.mean), 1e-3);
+  const OptimizerResult once = Run(mesh, nullptr, Deviation, 1);
+  const OptimizerResult again = Run({ once.positions, mesh.T }, AsReference(mesh), Deviation);
+  c.Greater("what one pass alone has left to gain is gained by the next run",
+    again.comparison.after.mean, once.comparison.after.mean + 0.01);
+}
+
+/// A smooth surface of thin triangles that looks folded before it is optimized, and not afterwards.
+void CheckFeaturesOfReference(Checks& c)
+{
+  const TestMesh smooth = Torus(24, 10, 0);
+  const TestMesh folded = Transformed(Cube(), 1);
+  (void)smooth; (void)folded; (void)c;
 }
 
 void CheckBeyond(Checks& c)
@@ -197,6 +219,7 @@ int TestReference(int argc, char* argv[])
   groups.Run("Itself", CheckItself);
   groups.Run("Repeated", CheckRepeated);
   groups.Run("SecondRun", CheckSecondRun);
+  groups.Run("Continued", CheckContinued);
   groups.Run("Beyond", CheckBeyond);
   groups.Run("FarAway", CheckFarAway);
   groups.Run("VertexLimits", CheckVertexLimits);

@@ -79,8 +79,9 @@ void ParallelRanges(Index count, const Body& body, Index block = ParallelBlock)
 
 /// Calls body(i), or that of a copy, for every i in [0, count), in any order and on several
 /// threads.
+/// \param grain fewest calls that are worth a thread
 template <typename Body>
-void ParallelFor(Index count, const Body& body)
+void ParallelFor(Index count, const Body& body, Index grain = ParallelGrain)
 {
   ParallelRanges(
     count,
@@ -92,20 +93,22 @@ void ParallelFor(Index count, const Body& body)
         local(i);
       }
     },
-    ParallelGrain);
+    grain);
 }
 
 /// ParallelFor() that asks the monitor now and then.
 /// \throw Cancelled if the monitor says so; what has been done by then stays.
 template <typename Body>
-void InterruptibleFor(Index count, ProgressMonitor& monitor, const Body& body)
+void InterruptibleFor(
+  Index count, ProgressMonitor& monitor, const Body& body, Index grain = ParallelGrain)
 {
   constexpr Index slice = 65536;
   for (Index first = 0; first < count; first += std::min(slice, count - first))
   {
     monitor.Report(0);
     ParallelFor(
-      std::min(slice, count - first), [first, local = body](Index i) mutable { local(first + i); });
+      std::min(slice, count - first), [first, local = body](Index i) mutable { local(first + i); },
+      grain);
   }
 }
 

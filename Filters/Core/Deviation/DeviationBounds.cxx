@@ -115,7 +115,7 @@ std::vector<DeviationBounds::Failure> DeviationBounds::CheckReference(
   std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
 {
   this->Recertified.Add(list);
-  if (extent == DeviationCertificates::ALL_FAILURES)
+  if (extent == DeviationCertificates::MANY_VERTICES)
   {
     Split(list, monitor, [this](Index t) { return this->CarryToCandidate(t); });
   }

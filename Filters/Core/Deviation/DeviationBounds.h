@@ -50,7 +50,7 @@ public:
     std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
 
   /// The triangles of the reference that are not close to the candidate, while displacements may be
-  /// the reason. With ALL_FAILURES, accepted certificates are carried over where they leave enough
+  /// the reason. With MANY_VERTICES, accepted certificates are carried over where they leave enough
   /// of the distance; single displacements would add up in them.
   std::vector<Failure> CheckReference(
     std::vector<Index> list, Extent extent, ProgressMonitor& monitor);

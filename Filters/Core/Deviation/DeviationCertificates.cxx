@@ -40,6 +40,8 @@ void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
 constexpr int EnoughSearches = 1 << 20;
 constexpr int FewSearches = 256;
 
+constexpr Index ParallelProofs = 32; ///< that are worth a thread
+
 /// Proves triangles, each by an overlay or, if none exists, by subdivision.
 class Prover
 {
@@ -117,66 +119,27 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
   const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
   const DistanceLimits& limits, Extent extent, ProgressMonitor& monitor)
 {
-  return extent == ALL_FAILURES ? this->FindAll(list, from, to, tree, limits, monitor)
-                                : this->FindFirst(list, from, to, tree, limits);
-}
-
-std::vector<DeviationCertificates::Failure> DeviationCertificates::FindFirst(
-  const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
-  const DistanceLimits& limits)
-{
-  Prover prover(from, to, limits, this->Kept);
-  this->Effort += static_cast<std::int64_t>(list.size());
-  std::vector<Index> open;
-  Index close = -1;
-  Index failed = -1;
-  for (const Index t : list)
-  {
-    const OverlayBound::Verdict verdict = prover.Prove(t, nullptr, this->Certificates[t], close);
-    if (verdict == OverlayBound::BEYOND)
-    {
-      return { { t, close } };
-    }
-    if (verdict == OverlayBound::UNCLEAR)
-    {
-      open.push_back(t);
-    }
-  }
-  if (!open.empty())
-  {
-    tree.Refit();
-  }
-  Subdivision subdivision{ tree, FewSearches };
-  const bool areProven = std::all_of(open.begin(), open.end(),
-    [&](Index t)
-    {
-      return prover.Prove(failed = t, &subdivision, this->Certificates[t], close) !=
-             OverlayBound::BEYOND;
-    });
-  this->Effort += FewSearches - std::max(subdivision.searchesLeft, 0);
-  return areProven ? std::vector<Failure>() : std::vector<Failure>{ { failed, close } };
-}
-
-std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
-  const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
-  const DistanceLimits& limits, ProgressMonitor& monitor)
-{
   const auto size = static_cast<Index>(list.size());
-  this->Effort += size;
+  const int searches = extent == SINGLE_VERTICES ? FewSearches : EnoughSearches;
   Mask states(size, OverlayBound::UNCLEAR);
   std::vector<Index> close(size, -1);
+  std::vector<int> effort(size, 1);
   const auto proveOpen = [&](const TriangleBvh* closest)
   {
-    InterruptibleFor(size, monitor,
+    InterruptibleFor(
+      size, monitor,
       [&, prover = Prover(from, to, limits, this->Kept)](Index k) mutable
       {
         if (states[k] == OverlayBound::UNCLEAR)
         {
-          Subdivision subdivision{ tree, EnoughSearches };
+          Subdivision subdivision{ tree, searches };
           states[k] = prover.Prove(
             list[k], closest ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
+          effort[k] +=
+            extent == SINGLE_VERTICES ? searches - std::max(subdivision.searchesLeft, 0) : 0;
         }
-      });
+      },
+      ParallelProofs);
   };
   proveOpen(nullptr);
   if (std::find(states.begin(), states.end(), OverlayBound::UNCLEAR) != states.end())
@@ -184,6 +147,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::FindAll(
     tree.Refit();
     proveOpen(&tree);
   }
+  this->Effort += std::accumulate(effort.begin(), effort.end(), std::int64_t(0));
   std::vector<Failure> failures;
   for (Index k = 0; k < size; ++k)
   {

@@ -69,11 +69,11 @@ public:
     std::vector<Index> used; ///< triangles of the second mesh that the certificate needs
   };
 
-  /// What a check looks for, and how hard.
+  /// How hard a check tries.
   enum Extent
   {
-    ALL_FAILURES, ///< each triangle gets all that a proof may need
-    FIRST_FAILURE ///< it ends at one failure, and what takes long to prove is one, too
+    MANY_VERTICES,  ///< each triangle gets all that a proof may need
+    SINGLE_VERTICES ///< what takes long to prove is a failure: there are other places to try
   };
 
   /// What is kept of certificates.
@@ -106,8 +106,8 @@ public:
 
   Index Size() const { return static_cast<Index>(this->Certificates.size()); }
 
-  /// Number of proofs that Check() has tried, and of searches for closest points where it looked
-  /// for the FIRST_FAILURE: about proportional to its time.
+  /// Number of proofs that Check() has tried, and of searches for closest points in those of
+  /// SINGLE_VERTICES: about proportional to its time.
   std::int64_t GetEffort() const { return this->Effort; }
 
   /// The triangles whose certificates need one of the marked ones.
@@ -117,12 +117,6 @@ public:
   double GetBound() const;
 
 private:
-  std::vector<Failure> FindAll(const std::vector<Index>& list, const SurfaceView& from,
-    const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits,
-    ProgressMonitor& monitor);
-  std::vector<Failure> FindFirst(const std::vector<Index>& list, const SurfaceView& from,
-    const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits);
-
   std::vector<Certificate> Certificates;
   Content Kept;
   std::int64_t Effort = 0;

@@ -73,7 +73,7 @@ std::vector<Index> DeviationGuard::TrianglesAt(const std::vector<Index>& vertice
 
 std::vector<Index> DeviationGuard::FindDependent(const std::vector<Index>& triangles, Extent extent)
 {
-  if (extent == FIRST_FAILURE)
+  if (extent == SINGLE_VERTICES)
   {
     return this->Bounds.FindDependentOfFew(triangles);
   }
@@ -160,46 +160,33 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   AddOnce(this->OpenReference, below, this->ListedOfReference);
   this->OpenReference.clear();
 
-  std::vector<Failure> failures;
   // What has not moved is accepted already, its neighbours are to blame for a fold between them;
   // but it may have moved back in the way of others.
   std::vector<Index> bad = Split(changed, monitor,
     [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); });
-  const auto isDecided = [&]
-  { return extent == FIRST_FAILURE && !(failures.empty() && bad.empty()); };
-  if (!isDecided())
-  {
-    failures = this->FindInvertedBeside(vertices, monitor);
-  }
-  if (!isDecided())
-  {
-    this->AddNewPairs(changed, monitor, failures);
-  }
-  if (!isDecided())
-  {
-    const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
-    bad.insert(bad.end(), astray.begin(), astray.end());
-  }
+  std::vector<Failure> failures = this->FindInvertedBeside(vertices, monitor);
+  this->AddNewPairs(changed, monitor, failures);
+  const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
+  bad.insert(bad.end(), astray.begin(), astray.end());
   this->Open = Split(bad, monitor, [this](Index t) { return this->Mesh.IsMoved(t); });
   for (const Index t : this->Open)
   {
     failures.push_back({ t, {} });
   }
-  if (!isDecided())
+  for (const auto& [triangle, close] : this->Bounds.CheckReference(below, extent, monitor))
   {
-    for (const auto& [triangle, close] : this->Bounds.CheckReference(below, extent, monitor))
-    {
-      const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
-      this->OpenReference.push_back(triangle);
-      failures.push_back({ close < 0 ? accepted.seed : close, accepted.used });
-    }
+    const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
+    this->OpenReference.push_back(triangle);
+    failures.push_back({ close < 0 ? accepted.seed : close, accepted.used });
   }
   return failures;
 }
 
 bool DeviationGuard::IsValid(Index vertex, const Vector3& position)
 {
-  const std::vector<Index> changed = this->TrianglesAt({ vertex });
+  std::vector<Index> changed;
+  ForEachTriangleOfCellsAt(this->Topology.cornersAt, this->Topology.polygons, vertex,
+    [&](Index t) { changed.push_back(t); });
   this->Propose(vertex, position);
   this->Shapes.Update(changed);
   const bool isValid =

@@ -7,6 +7,8 @@
 #include "Core/Deviation/SelfIntersections.h"
 #include "Core/Deviation/TriangleValidity.h"
 
+#include <algorithm>
+
 namespace lmo
 {
 /// Judges displacements of a mesh's vertices: every point of the moved surface has to stay within a
@@ -29,11 +31,11 @@ public:
     std::vector<Index> others;
   };
 
-  /// What Judge() looks for: ALL_FAILURES of many vertices, or the FIRST_FAILURE of few vertices,
-  /// with the cheapest tests first.
+  /// What Judge() is asked for: a displacement of MANY_VERTICES, or SINGLE_VERTICES, one place
+  /// after the other.
   using Extent = DeviationCertificates::Extent;
-  static constexpr Extent ALL_FAILURES = DeviationCertificates::ALL_FAILURES;
-  static constexpr Extent FIRST_FAILURE = DeviationCertificates::FIRST_FAILURE;
+  static constexpr Extent MANY_VERTICES = DeviationCertificates::MANY_VERTICES;
+  static constexpr Extent SINGLE_VERTICES = DeviationCertificates::SINGLE_VERTICES;
 
   /// The mesh itself is the reference. Keeps references to the arguments.
   /// \param distance > 0
@@ -84,7 +86,8 @@ public:
   }
 
   /// The cheap part of Judge() for one vertex between two transactions: whether none of its
-  /// triangles turns over, folds or is inverted. Not more than a hint.
+  /// triangles turns over, folds or is inverted. Not more than a hint. Threads may ask for distant
+  /// vertices at once.
   bool IsValid(Index vertex, const Vector3& position);
 
   /// Judges all that has been proposed since the last Accept() or RollBack().
@@ -144,6 +147,34 @@ private:
   IndexSet ListedOfReference;
   IndexSet ListedVertices;
 };
+
+/// Calls blame(i) for the vertices that failures are to be blamed on, some of them several times.
+/// \param isMoving true for the vertices i that have moved
+template <typename IsMoving, typename Blame>
+void ForEachToBlame(const std::vector<DeviationGuard::Failure>& failures,
+  const Triangles& triangles, const IsMoving& isMoving, const Blame& blame)
+{
+  const auto blameCorners = [&](Index t)
+  {
+    bool anyMoves = false;
+    for (const Index i : triangles.row(t))
+    {
+      if (isMoving(i))
+      {
+        anyMoves = true;
+        blame(i);
+      }
+    }
+    return anyMoves;
+  };
+  for (const DeviationGuard::Failure& failure : failures)
+  {
+    if (!blameCorners(failure.close))
+    {
+      std::for_each(failure.others.begin(), failure.others.end(), blameCorners);
+    }
+  }
+}
 }
 
 #endif

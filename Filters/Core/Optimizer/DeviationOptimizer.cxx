@@ -5,10 +5,10 @@
 #include "Core/Base/Rounding.h"
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/DeviationGuard.h"
-#include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Optimizer/DeviationProblem.h"
 #include "Core/Solvers/LinearSolver.h"
+#include "Core/WorstTriangles/WorstTriangles.h"
 
 #include <algorithm>
 #include <optional>
@@ -25,6 +25,7 @@ constexpr double Release = 0.7;          ///< and where it was not
 constexpr double OverRelaxation = 1.8;   ///< of the displacement where none was reduced
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
+constexpr double SmallestStart = 0.05;   ///< of 1 - t_mean, for which a result is improved again
 constexpr double SmallestRest = 0.5;     ///< of a gain, for which an earlier step is enough
 
 /// The part of its share that a vertex loses where the guard fails; more each time, up to a half.
@@ -95,11 +96,25 @@ private:
   /// The displacement that Eqn. 11 proposes.
   Solution Propose(ProgressMonitor& monitor);
 
-  /// Moves as far as the guard allows.
-  /// \param loss part of its share that a vertex loses at first
+  /// What Backtrack() asks for.
+  struct Demand
+  {
+    double quality; ///< least t of triangles that had it
+    double gain;    ///< of t_mean, below which nothing moves
+    double loss;    ///< part of its share that a vertex loses at first
+  };
+
+  /// Moves as far as the guard allows, if that pays.
   /// \return whether it allows any displacement
-  bool Backtrack(
-    const Points& displacement, double leastQuality, double loss, ProgressMonitor& monitor);
+  bool Backtrack(const Points& displacement, const Demand& demand, ProgressMonitor& monitor);
+
+  /// Of the first pass: an earlier result is to stay as it is.
+  double LeastGain() const
+  {
+    const bool isResult = this->Plan.part.original.rows() == 0 && this->Plan.reference &&
+                          HaveSameTriangles(*this->Plan.reference, this->Mesh);
+    return isResult ? SmallestStart * (1 - this->InputQuality) : 0;
+  }
 
   /// The closest position that the vertex may have.
   Vector3 Place(Index i, const Vector3& position) const;
@@ -161,11 +176,14 @@ Vector3 Passes::Place(Index i, const Vector3& position) const
 std::vector<Index> Passes::ReduceShares(
   const std::vector<DeviationGuard::Failure>& failures, double loss)
 {
-  const Mask isBlamed = FindBlamed(failures, this->Mesh.GetTriangles(), this->Share);
+  Mask isBlamed(this->Size(), false);
+  ForEachToBlame(
+    failures, this->Mesh.GetTriangles(), [this](Index i) { return this->Share[i] > 0; },
+    [&](Index i) { isBlamed[i] = true; });
   std::vector<Index> vertices;
   for (Index i = 0; i < this->Size(); ++i)
   {
-    if (isBlamed[i] && this->Share[i] > 0)
+    if (isBlamed[i])
     {
       this->Share[i] *= 1 - loss;
       if (this->Share[i] < SmallestShare)
@@ -179,9 +197,9 @@ std::vector<Index> Passes::ReduceShares(
   return vertices;
 }
 
-bool Passes::Backtrack(
-  const Points& displacement, double leastQuality, double loss, ProgressMonitor& monitor)
+bool Passes::Backtrack(const Points& displacement, const Demand& demand, ProgressMonitor& monitor)
 {
+  double loss = demand.loss;
   std::vector<Index> moving;
   this->Share = Vector::Zero(this->Size());
   for (Index i = 0; i < this->Size(); ++i)
@@ -205,7 +223,7 @@ bool Passes::Backtrack(
           i, share > 0 ? this->Place(i, start + share * displacement.row(i)) : start);
       });
     const auto failures =
-      this->Guard.Judge(moving, leastQuality, DeviationGuard::ALL_FAILURES, monitor);
+      this->Guard.Judge(moving, demand.quality, DeviationGuard::MANY_VERTICES, monitor);
     if (failures.empty())
     {
       break;
@@ -218,7 +236,7 @@ bool Passes::Backtrack(
       return false;
     }
   }
-  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAcceptedQuality()))
+  if (MeanOf(this->Guard.GetQuality()) < MeanOf(this->Guard.GetAcceptedQuality()) + demand.gain)
   {
     this->Guard.RollBack(); // the weights that have grown make the next proposal another one
     return true;
@@ -235,7 +253,7 @@ bool Passes::Follow(ProgressMonitor& monitor)
   const Points displacement =
     DisplacementAfter(*this->Plan.earlier, this->Mesh, this->Problem.constraints);
   this->Backtrack(
-    displacement, LeastQuality(0, *this->Mesh.GetQuality()), SmallestShareLoss, monitor);
+    displacement, { LeastQuality(0, *this->Mesh.GetQuality()), 0, SmallestShareLoss }, monitor);
   this->AdaptiveFactors.setOnes();
   return this->Gain() >= SmallestRest * this->Plan.earlier->gain;
 }
@@ -251,14 +269,19 @@ void Passes::Improve(ProgressMonitor& monitor, ModeResult& result)
     result.iterations += solution.iterations;
     result.relativeResidual = solution.relativeResidual;
     const double before = MeanOf(this->Guard.GetAcceptedQuality());
-    if (!this->Backtrack(solution.displacement, LeastQuality(pass, *this->Mesh.GetQuality()),
-          LargestShareLoss, monitor))
+    const double leastGain = pass == 0 ? this->LeastGain() : 0;
+    if (!this->Backtrack(solution.displacement,
+          { LeastQuality(pass, *this->Mesh.GetQuality()), leastGain, LargestShareLoss }, monitor))
     {
       break;
     }
-    ++result.deviation.passes;
-    result.deviation.rolledBack = this->CountRolledBack();
     const double after = MeanOf(this->Guard.GetAcceptedQuality());
+    if (after < before + leastGain)
+    {
+      return;
+    }
+    result.deviation.passes += after != before;
+    result.deviation.rolledBack = this->CountRolledBack();
     if (pass > 1 && after < before + SmallestGain)
     {
       break;

@@ -4,9 +4,9 @@
 
 #include "Core/Base/Threading.h"
 #include "Core/Deviation/SurfaceComparison.h"
-#include "Core/Deviation/WorstTriangles.h"
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Operators/FieldInterpolation.h"
+#include "Core/WorstTriangles/WorstTriangles.h"
 
 #include <algorithm>
 #include <limits>
@@ -132,30 +132,6 @@ Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
     displacement.row(i) = displacement.row(i).cwiseProduct(axes).eval();
   }
   return displacement;
-}
-
-Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Triangles& triangles,
-  const Vector& shares)
-{
-  Mask isBlamed(static_cast<std::size_t>(shares.size()), false);
-  const auto blame = [&](Index t)
-  {
-    bool isMoving = false;
-    for (const Index i : triangles.row(t))
-    {
-      isBlamed[i] = true;
-      isMoving = isMoving || shares[i] > 0;
-    }
-    return isMoving;
-  };
-  for (const DeviationGuard::Failure& failure : failures)
-  {
-    if (!blame(failure.close))
-    {
-      std::for_each(failure.others.begin(), failure.others.end(), blame);
-    }
-  }
-  return isBlamed;
 }
 
 double CentreAt(const DeviationGuard& guard, const MeshTopology& topology, double distance, Index i)

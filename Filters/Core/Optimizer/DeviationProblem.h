@@ -34,10 +34,6 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
 Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,
   const DisplacementConstraints& constraints);
 
-/// The vertices of the triangles that are to blame for the failures of the guard.
-Mask FindBlamed(const std::vector<DeviationGuard::Failure>& failures, const Triangles& triangles,
-  const Vector& shares);
-
 /// How far along its normal a vertex has to move for its triangles to be, at their extremes, as far
 /// above the reference as below it; 0 if there is distance left.
 /// \param distance allowed

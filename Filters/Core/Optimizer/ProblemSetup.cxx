@@ -40,6 +40,12 @@ Laplacian ChooseLaplacian(const CotangentQuantities& quantities, LaplacianType t
   return L;
 }
 
+/// Where features are detected: an earlier result has those of the surface that it was made from.
+const MeshQuantities& FeatureSurface(const MeshQuantities& mesh, const VertexArrays& arrays)
+{
+  return arrays.reference && HaveSameTriangles(*arrays.reference, mesh) ? *arrays.reference : mesh;
+}
+
 /// Between labels, between tagged vertices, or detected.
 AdjacencyLists FeatureEdges(
   const MeshQuantities& mesh, const OptimizerOptions& options, const VertexArrays& arrays)
@@ -55,10 +61,11 @@ AdjacencyLists FeatureEdges(
   }
   if (options.detectFeatures)
   {
-    const Vector quality = mesh.GetPolygons().IsEmpty()
-                             ? mesh.GetQuality()->triangles
-                             : RadiusRatios(mesh.GetPoints(), mesh.GetTriangles());
-    return DetectFeatureEdges(mesh.GetPoints(), mesh.GetTriangles(), topology, quality,
+    const MeshQuantities& surface = FeatureSurface(mesh, arrays);
+    const Vector quality = surface.GetPolygons().IsEmpty()
+                             ? surface.GetQuality()->triangles
+                             : RadiusRatios(surface.GetPoints(), surface.GetTriangles());
+    return DetectFeatureEdges(surface.GetPoints(), mesh.GetTriangles(), topology, quality,
       options.featureAngle, mesh.GetSubdomain());
   }
   AdjacencyLists none;
@@ -157,8 +164,8 @@ std::optional<FeatureLines> SlidingLines(const MeshQuantities& mesh,
   {
     edges = MergeEdges(edges, topology.boundaryEdges);
   }
-  FeatureLines lines =
-    ClassifyLines(std::make_shared<AdjacencyLists>(std::move(edges)), mesh.GetPoints());
+  FeatureLines lines = ClassifyLines(
+    std::make_shared<AdjacencyLists>(std::move(edges)), FeatureSurface(mesh, arrays).GetPoints());
   SmoothStairs(mesh.GetPoints(), VerticesOnCurves(topology, options, lines), lines);
   return lines;
 }
@@ -195,16 +202,6 @@ DisplacementConstraints ChooseConstraints(const MeshTopology& topology,
     constraints.RestrictAxes();
   }
   return constraints;
-}
-
-/// True if the reference is the mesh as it is.
-bool IsOfMesh(const std::shared_ptr<const MeshQuantities>& reference, const MeshQuantities& mesh)
-{
-  const Points& V = mesh.GetPoints();
-  const Triangles& T = mesh.GetTriangles();
-  return reference && reference->GetPoints().rows() == V.rows() &&
-         reference->GetTriangles().rows() == T.rows() && reference->GetPoints() == V &&
-         reference->GetTriangles() == T;
 }
 
 /// Eqn. 11 for the options.
@@ -260,7 +257,9 @@ RunPlan MakePlan(const CotangentQuantities& quantities, const OptimizerOptions& 
     plan.problem = SetUpTangentialProblem(
       mesh, ChooseConstraints(mesh.GetTopology(), options, arrays, plan.lines));
     plan.problem.position.weights = quantities.GetCumulativeWeights();
-    plan.reference = IsOfMesh(arrays.reference, mesh) ? nullptr : arrays.reference;
+    const bool isMesh = arrays.reference && HaveSameTriangles(*arrays.reference, mesh) &&
+                        arrays.reference->GetPoints() == mesh.GetPoints();
+    plan.reference = isMesh ? nullptr : arrays.reference;
     plan.earlier = arrays.earlier;
   }
   else

@@ -16,6 +16,12 @@ void AddSolution(const Solution& solution, double tolerance, ModeResult& result)
   result.isConverged = result.relativeResidual <= tolerance;
 }
 
+bool HaveSameTriangles(const MeshQuantities& a, const MeshQuantities& b)
+{
+  return a.GetPoints().rows() == b.GetPoints().rows() &&
+         a.GetTriangles().rows() == b.GetTriangles().rows() && a.GetTriangles() == b.GetTriangles();
+}
+
 const Points& StartOf(const MeshQuantities& mesh, const RunPlan& plan)
 {
   return plan.start.rows() > 0 ? plan.start : mesh.GetPoints();

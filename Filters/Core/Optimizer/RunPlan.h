@@ -67,6 +67,9 @@ struct ModeResult
 /// Adds a solution to the result: its iterations, and its residual if that is the largest.
 void AddSolution(const Solution& solution, double tolerance, ModeResult& result);
 
+/// True if two meshes differ in their positions at most: one may be a result of the other.
+bool HaveSameTriangles(const MeshQuantities& a, const MeshQuantities& b);
+
 /// Where the displacements of the plan's problem start.
 const Points& StartOf(const MeshQuantities& mesh, const RunPlan& plan);
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) Laplacian Mesh Optimization developers
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Core/Deviation/StarSearch.h"
+#include "Core/WorstTriangles/StarSearch.h"
 
 #include "Core/Mesh/TriangleGeometry.h"
 #include "Core/Mesh/TriangleQuality.h"
@@ -21,63 +21,63 @@ constexpr double HighestLift = 0.105; ///< the same; it tilts three triangles by
 constexpr double TurnedOver = -1;     ///< in the place of t
 }
 
-bool StarSearch::IsFlat(Index vertex) const
+bool IsFlatAt(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex)
 {
   constexpr double cosine = 0.9998; // of 1 degree
-  const Vector3 normal = VertexNormal(this->V, this->T, this->Topology, vertex);
-  const AdjacencyLists::Range corners = this->Topology.cornersAt[vertex];
+  const Vector3 normal = VertexNormal(V, triangles, topology, vertex);
+  const AdjacencyLists::Range corners = topology.cornersAt[vertex];
   return std::all_of(corners.begin(), corners.end(),
     [&](Index corner)
-    { return ScaledNormal(this->V, this->T, corner / 3).stableNormalized().dot(normal) > cosine; });
+    { return ScaledNormal(V, triangles, corner / 3).stableNormalized().dot(normal) > cosine; });
 }
 
-void StarSearch::SetVertex(Index vertex)
+StarSearch::StarSearch(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex)
 {
-  const Polygons& polygons = this->Topology.polygons;
-  this->Cells.clear();
-  this->Corners.clear();
+  const Polygons& polygons = topology.polygons;
   Index last = -1;
-  for (const Index corner : this->Topology.cornersAt[vertex])
+  for (const Index corner : topology.cornersAt[vertex])
   {
     if (polygons.IsEmpty())
     {
-      this->AddTriangle(corner);
+      this->AddTriangle(V, triangles, corner);
     }
     else if (polygons.ofTriangle[corner / 3] != last)
     {
       last = polygons.ofTriangle[corner / 3];
-      this->AddPolygon(last, vertex);
+      this->AddPolygon(V, polygons.corners, last, vertex);
     }
   }
   double sum = 0;
   for (const Vector3& corner : this->Corners)
   {
-    sum += (corner - this->V.row(vertex)).norm();
+    sum += (corner - V.row(vertex)).norm();
   }
   this->Size = this->Corners.empty() ? 0 : sum / static_cast<double>(this->Corners.size());
 }
 
-void StarSearch::AddTriangle(Index corner)
+void StarSearch::AddTriangle(const Points& V, const Triangles& triangles, Index corner)
 {
-  const Vector3 here = this->V.row(this->T.data()[corner]);
-  const Vector3 next = this->V.row(this->T.data()[NextCorner(corner)]);
-  const Vector3 previous = this->V.row(this->T.data()[PreviousCorner(corner)]);
+  const Vector3 here = V.row(triangles.data()[corner]);
+  const Vector3 next = V.row(triangles.data()[NextCorner(corner)]);
+  const Vector3 previous = V.row(triangles.data()[PreviousCorner(corner)]);
   const auto begin = static_cast<Index>(this->Corners.size());
   this->Corners.push_back(next);
   this->Corners.push_back(previous);
   this->Cells.push_back({ begin, begin + 2, (next - here).cross(previous - here) });
 }
 
-void StarSearch::AddPolygon(Index polygon, Index vertex)
+void StarSearch::AddPolygon(
+  const Points& V, const AdjacencyLists& cornersOfPolygons, Index polygon, Index vertex)
 {
-  const AdjacencyLists& corners = this->Topology.polygons.corners;
-  const Index* ids = corners.Begin(polygon);
-  const Index size = corners.Size(polygon);
+  const Index* ids = cornersOfPolygons.Begin(polygon);
+  const Index size = cornersOfPolygons.Size(polygon);
   const auto first = static_cast<Index>(std::find(ids, ids + size, vertex) - ids);
   const auto begin = static_cast<Index>(this->Corners.size());
   for (Index k = 1; k < size; ++k)
   {
-    this->Corners.push_back(this->V.row(ids[(first + k) % size]));
+    this->Corners.push_back(V.row(ids[(first + k) % size]));
   }
   this->Cells.push_back({ begin, begin + size - 1, Vector3::Zero() });
 }

@@ -31,6 +31,10 @@ struct StarShape
   }
 };
 
+/// True if the triangles at a vertex lie in a plane.
+bool IsFlatAt(
+  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex);
+
 /// The cells at one vertex as functions of its position: their quality, and the place where the
 /// least of it is greatest.
 class StarSearch
@@ -42,25 +46,15 @@ public:
     StarShape shape;
   };
 
-  /// Keeps references to the arguments.
-  StarSearch(const Points& V, const Triangles& triangles, const MeshTopology& topology)
-    : V(V)
-    , T(triangles)
-    , Topology(topology)
-  {
-  }
-
-  /// True if the triangles at a vertex lie in a plane, which is to stay one.
-  bool IsFlat(Index vertex) const;
-
   /// Reads the cells at a vertex.
-  void SetVertex(Index vertex);
+  StarSearch(
+    const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex);
 
   /// Mean distance of the other corners of the vertex's cells.
   double GetSize() const { return this->Size; }
 
-  /// With the vertex at a position. A triangle that has turned over from what it was in
-  /// SetVertex() counts as t = -1.
+  /// With the vertex at a position. A triangle that has turned over since the cells were read
+  /// counts as t = -1.
   /// \param least stops at t below it
   StarShape Measure(const Vector3& position, double least = -2) const;
 
@@ -97,15 +91,13 @@ private:
     Vector3 normal; ///< of a triangle, not normalised; 0 for larger polygons
   };
 
-  void AddTriangle(Index corner);
-  void AddPolygon(Index polygon, Index vertex);
+  void AddTriangle(const Points& V, const Triangles& triangles, Index corner);
+  void AddPolygon(
+    const Points& V, const AdjacencyLists& cornersOfPolygons, Index polygon, Index vertex);
   /// Makes a position the best one, if it is better.
   bool Try(const Vector3& position, const Freedom& freedom, double goal, Place& best) const;
   double MeasureCell(const Cell& cell, const Vector3& position) const;
 
-  const Points& V;
-  const Triangles& T;
-  const MeshTopology& Topology;
   std::vector<Cell> Cells;
   std::vector<Vector3> Corners;
   double Size = 0;
