@@ -53,6 +53,7 @@ DeviationGuard::DeviationGuard(const Points& V, const Triangles& triangles,
   , Listed(static_cast<Index>(triangles.rows()))
   , ListedOfReference(static_cast<Index>(reference.T.rows()))
   , ListedVertices(topology.vertices)
+  , Blamed(topology.vertices)
 {
   ParallelFor(static_cast<Index>(triangles.rows()),
     [this](Index t) { this->Shapes.Accept(t, this->Bounds.GetCentre(t)); });
@@ -148,6 +149,40 @@ bool DeviationGuard::IsSpoilt(Index t, double leastQuality) const
          this->Shapes.IsFolded(t) || this->Shapes.IsInverted(t);
 }
 
+void DeviationGuard::AddOpen(const std::vector<Index>& list, std::vector<Failure>& failures)
+{
+  for (const Index t : list)
+  {
+    if (this->Mesh.IsMoved(t))
+    {
+      this->Open.push_back(t);
+      failures.push_back({ t, {} });
+    }
+  }
+}
+
+template <typename IsPostponed>
+void DeviationGuard::Postpone(const std::vector<Failure>& failures, std::vector<Index>& list,
+  std::vector<Index>& open, const IsPostponed& isPostponed)
+{
+  ForEachToBlame(
+    failures, this->Mesh.T,
+    [this](Index i) { return this->Mesh.candidate.row(i) != this->Mesh.accepted.row(i); },
+    [this](Index i) { this->Blamed.Add(i); });
+  const auto end =
+    std::stable_partition(list.begin(), list.end(), [&](Index t) { return !isPostponed(t); });
+  open.insert(open.end(), end, list.end());
+  list.erase(end, list.end());
+  this->Blamed.Clear();
+}
+
+bool DeviationGuard::IsAtBlamed(Index t) const
+{
+  const auto corners = this->Mesh.T.row(t);
+  return std::any_of(
+    corners.begin(), corners.end(), [this](Index i) { return this->Blamed.GetMask()[i]; });
+}
+
 std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   const std::vector<Index>& vertices, double leastQuality, Extent extent, ProgressMonitor& monitor)
 {
@@ -158,20 +193,31 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
   this->Shapes.Update(changed);
   AddOnce(this->Open, changed, this->Listed); // what failed in the last call is judged again
   AddOnce(this->OpenReference, below, this->ListedOfReference);
+  this->Open.clear();
   this->OpenReference.clear();
 
   // What has not moved is accepted already, its neighbours are to blame for a fold between them;
   // but it may have moved back in the way of others.
-  std::vector<Index> bad = Split(changed, monitor,
-    [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); });
   std::vector<Failure> failures = this->FindInvertedBeside(vertices, monitor);
+  this->AddOpen(
+    Split(changed, monitor,
+      [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); }),
+    failures);
   this->AddNewPairs(changed, monitor, failures);
-  const std::vector<Index> astray = this->FindAstray(changed, extent, monitor);
-  bad.insert(bad.end(), astray.begin(), astray.end());
-  this->Open = Split(bad, monitor, [this](Index t) { return this->Mesh.IsMoved(t); });
-  for (const Index t : this->Open)
+  if (extent == SINGLE_VERTICES)
   {
-    failures.push_back({ t, {} });
+    this->Postpone(failures, changed, this->Open, [this](Index t) { return this->IsAtBlamed(t); });
+  }
+  this->AddOpen(this->FindAstray(changed, extent, monitor), failures);
+  if (extent == SINGLE_VERTICES)
+  {
+    this->Postpone(failures, below, this->OpenReference,
+      [this](Index t)
+      {
+        const std::vector<Index>& used = this->Bounds.GetAccepted(t).used;
+        return std::any_of(
+          used.begin(), used.end(), [this](Index u) { return this->IsAtBlamed(u); });
+      });
   }
   for (const auto& [triangle, close] : this->Bounds.CheckReference(below, extent, monitor))
   {

@@ -126,6 +126,18 @@ private:
   std::vector<Index> FindAstray(
     const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor);
 
+  /// Adds triangles that failed, if they have moved.
+  void AddOpen(const std::vector<Index>& list, std::vector<Failure>& failures);
+
+  /// Moves triangles from a list to those that the next call judges, since one of their vertices is
+  /// to blame already.
+  template <typename IsPostponed>
+  void Postpone(const std::vector<Failure>& failures, std::vector<Index>& list,
+    std::vector<Index>& open, const IsPostponed& isPostponed);
+
+  /// True if a corner of a triangle is among the vertices to blame.
+  bool IsAtBlamed(Index t) const;
+
   void EndTransaction();
 
   const MeshTopology& Topology;
@@ -139,13 +151,14 @@ private:
 
   // Of the transaction:
   IndexSet Proposed;                ///< triangles for whose vertices positions have been proposed
-  std::vector<Index> Open;          ///< triangles of the candidate that failed in the last call
+  std::vector<Index> Open;          ///< triangles of the candidate that the last call did not pass
   std::vector<Index> OpenReference; ///< the same of the reference
 
   // To list triangles and vertices once; empty in between:
   IndexSet Listed;
   IndexSet ListedOfReference;
   IndexSet ListedVertices;
+  IndexSet Blamed; ///< vertices
 };
 
 /// Calls blame(i) for the vertices that failures are to be blamed on, some of them several times.

@@ -25,19 +25,12 @@ constexpr double Release = 0.7;          ///< and where it was not
 constexpr double OverRelaxation = 1.8;   ///< of the displacement where none was reduced
 constexpr double Centring = 1.3;         ///< factor of that displacement
 constexpr double SmallestGain = 2e-4;    ///< of t_mean, for which another pass is worth it
-constexpr double SmallestStart = 0.05;   ///< of 1 - t_mean, for which a result is improved again
 constexpr double SmallestRest = 0.5;     ///< of a gain, for which an earlier step is enough
 
 /// The part of its share that a vertex loses where the guard fails; more each time, up to a half.
 constexpr double LargestShareLoss = 0.5;
 constexpr double SmallestShareLoss = 0.01;
 constexpr double ShareLossGrowth = 1.25;
-
-/// Least t that a pass may give a triangle which had it, none below the least of the input.
-double LeastQuality(int pass, const MeshQuality& input)
-{
-  return std::max(pass < 2 ? 0.1 : 0.3, input.minimum);
-}
 
 double MeanOf(const Vector& quality)
 {
@@ -107,14 +100,6 @@ private:
   /// Moves as far as the guard allows, if that pays.
   /// \return whether it allows any displacement
   bool Backtrack(const Points& displacement, const Demand& demand, ProgressMonitor& monitor);
-
-  /// Of the first pass: an earlier result is to stay as it is.
-  double LeastGain() const
-  {
-    const bool isResult = this->Plan.part.original.rows() == 0 && this->Plan.reference &&
-                          HaveSameTriangles(*this->Plan.reference, this->Mesh);
-    return isResult ? SmallestStart * (1 - this->InputQuality) : 0;
-  }
 
   /// The closest position that the vertex may have.
   Vector3 Place(Index i, const Vector3& position) const;
@@ -269,7 +254,7 @@ void Passes::Improve(ProgressMonitor& monitor, ModeResult& result)
     result.iterations += solution.iterations;
     result.relativeResidual = solution.relativeResidual;
     const double before = MeanOf(this->Guard.GetAcceptedQuality());
-    const double leastGain = pass == 0 ? this->LeastGain() : 0;
+    const double leastGain = pass == 0 ? LeastGain(this->Mesh, this->Plan) : 0;
     if (!this->Backtrack(solution.displacement,
           { LeastQuality(pass, *this->Mesh.GetQuality()), leastGain, LargestShareLoss }, monitor))
     {

@@ -18,8 +18,9 @@ namespace
 {
 constexpr double PositionScale = 0.03; ///< s
 constexpr double LeastPositionWeight = 1e-4;
-constexpr double CentringShare = 0.6; ///< of the distance, used up, from which on it is centred
-constexpr double GoodQuality = 0.5;   ///< t from which a vertex has its full weight
+constexpr double CentringShare = 0.6;  ///< of the distance, used up, from which on it is centred
+constexpr double SmallestStart = 0.05; ///< of 1 - t_mean, for which a result is improved again
+constexpr double GoodQuality = 0.5;    ///< t from which a vertex has its full weight
 
 /// Vertices of high valence and their neighbours stay: thousands of triangles that meet in a point
 /// are close to each other everywhere, and the guard would compare all of them.
@@ -115,6 +116,18 @@ void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const 
     });
   problem.laplacian.target = std::move(target);
   constraints.RestrictAxes();
+}
+
+double LeastQuality(int pass, const MeshQuality& input)
+{
+  return std::max(pass < 2 ? 0.1 : 0.3, input.minimum);
+}
+
+double LeastGain(const MeshQuantities& mesh, const RunPlan& plan)
+{
+  const bool isResult =
+    plan.part.original.rows() == 0 && plan.reference && HaveSameTriangles(*plan.reference, mesh);
+  return isResult ? SmallestStart * (1 - mesh.GetQuality()->mean) : 0;
 }
 
 Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,

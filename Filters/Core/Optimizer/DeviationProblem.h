@@ -29,6 +29,13 @@ LeastSquaresProblem SetUpTangentialProblem(
 void SetTargets(const MeshQuantities& mesh, const FeatureLines& features, const Points& V,
   LeastSquaresProblem& problem);
 
+/// Least t that a pass may give a triangle which had it, none below the least of the input.
+double LeastQuality(int pass, const MeshQuality& input);
+
+/// The gain of t_mean without which the first pass moves nothing: a result of an earlier run, which
+/// has the triangles of its reference, is to stay as it is.
+double LeastGain(const MeshQuantities& mesh, const RunPlan& plan);
+
 /// From the mesh to the earlier step's result, moved as its surface has moved since, as far as the
 /// constraints allow.
 Points DisplacementAfter(const EarlierStep& earlier, const MeshQuantities& mesh,

@@ -33,7 +33,7 @@ OptimizerOptions FirstSmoothing(const OptimizerOptions& options)
   OptimizerOptions smoothing;
   smoothing.mode = Mode::SMOOTH;
   smoothing.positionWeighting = PositionWeighting::CONSTANT;
-  smoothing.scaleFactor = FirstScaleFactor;
+  smoothing.scaleFactor = getenv("FS") ? atof(getenv("FS")) : FirstScaleFactor;
   smoothing.boundaryCondition = options.boundaryCondition;
   smoothing.freeAxes = options.freeAxes;
   smoothing.solver = options.solver;

@@ -8,26 +8,21 @@
 #include "Core/WorstTriangles/VertexMoves.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace lmo
 {
 namespace
 {
-constexpr double GoalStep = 0.02;     ///< above the least t, as long as that rises
-constexpr double SmallestRise = 0.01; ///< that suffices above BadQuality
-constexpr double LiftedGoal = 0.5;    ///< above it no vertex leaves its tangent plane
-constexpr double FlatHeight = 0.01;   ///< of a plane's reference, in mean edge lengths
-constexpr int MostSweeps = 10;        ///< for one goal
-constexpr int Directions = 12;
-constexpr double LargestLoss = 2e-3;       ///< of t_mean, at which triangles are raised
-constexpr double RelativeEffort = 1.25;    ///< of proofs, in terms of those until then
-constexpr double EnoughEffort = 60000;     ///< where those were few
-constexpr double Shares[] = { 0.5, 0.25 }; ///< of a displacement that the guard is asked for
-constexpr std::ptrdiff_t MostPlaces = 50;  ///< that it is asked for where it refuses the best
-constexpr std::ptrdiff_t MostOpen = 1024;  ///< vertices from which distant ones are chosen
-constexpr Index ParallelMoves = 4;         ///< that are worth a thread
+constexpr double GoalStep = 0.02;         ///< above the least t, as long as that rises
+constexpr double SmallestRise = 0.01;     ///< that suffices above BadQuality
+constexpr double LiftedGoal = 0.5;        ///< above it no vertex leaves its tangent plane
+constexpr int MostSweeps = 10;            ///< for one goal
+constexpr double LargestLoss = 2e-3;      ///< of t_mean, at which triangles are raised
+constexpr double RelativeEffort = 1.1;    ///< of proofs, in terms of those until then
+constexpr double EnoughEffort = 60000;    ///< where those were few
+constexpr std::ptrdiff_t MostOpen = 1024; ///< vertices from which distant ones are chosen
+constexpr Index ParallelMoves = 4;        ///< that are worth a thread
 
 /// What is worth the effort.
 struct Threshold
@@ -54,7 +49,7 @@ public:
     , T(triangles)
     , Topology(topology)
     , Constraints(constraints)
-    , Place(place)
+    , Places(guard, triangles, topology, constraints, place)
     , Moves(guard, triangles, topology.vertices)
     , Distant(triangles, topology)
     , Budget(LargestLoss * CountCells(triangles, topology))
@@ -75,29 +70,17 @@ public:
   }
 
 private:
-  enum Direction
-  {
-    ALONG_SURFACE,
-    LIFTED ///< off the surface, where nothing else helps
-  };
-
-  /// Which places a vertex tries.
-  enum Choice
-  {
-    BEST,  ///< the best one
-    OTHERS ///< a part of the way there, and other better ones
-  };
-
   /// Tries each vertex of each triangle below the goal once.
-  void Sweep(Direction direction, ProgressMonitor& monitor);
+  void Sweep(VertexPlaces::Direction direction, ProgressMonitor& monitor);
 
   /// Tries some vertices, of which distant ones move at once.
   /// \return those that have not moved
-  std::vector<Index> Try(const std::vector<Index>& vertices, Direction direction, Choice choice,
-    ProgressMonitor& monitor);
+  std::vector<Index> Try(const std::vector<Index>& vertices, VertexPlaces::Direction direction,
+    VertexPlaces::Choice choice, ProgressMonitor& monitor);
 
   /// Takes distant vertices from a list, and drops those that need not be tried.
-  std::vector<Index> TakeDistant(std::vector<Index>& vertices, Direction direction, Choice choice);
+  std::vector<Index> TakeDistant(
+    std::vector<Index>& vertices, VertexPlaces::Direction direction, VertexPlaces::Choice choice);
 
   /// Sum of what the triangles lack that can move.
   double MissingToGoal() const;
@@ -105,45 +88,22 @@ private:
   /// The triangles with t below a goal, without those that cannot move.
   std::vector<Index> WorstFirst(double goal) const;
 
-  /// The places to try, if a triangle at the vertex is below the goal.
-  VertexMove FindPlaces(Index vertex, Direction direction, Choice choice) const;
-
   /// Says that a vertex has moved or has been refused.
   void Note(const VertexMove& move);
 
   /// False also where a search has failed already, and as long as no neighbour has moved.
-  bool MayTry(Index vertex, Direction direction, Choice choice) const;
-
-  /// True if mesh and reference are flat around the vertex, and are to stay so.
-  bool IsOnPlane(Index vertex) const;
+  bool MayTry(Index vertex, VertexPlaces::Direction direction, VertexPlaces::Choice choice) const;
 
   bool IsFixed(Index i) const
   {
     return this->Constraints.freedom[i] == DisplacementConstraints::FIXED;
   }
 
-  /// Unit normal of the vertex within the free axes; 0 where undefined.
-  Vector3 NormalAt(Index vertex) const
-  {
-    const Vector3 normal = VertexNormal(this->Guard.GetAccepted(), this->T, this->Topology, vertex);
-    return normal.cwiseProduct(this->Constraints.freeAxes).stableNormalized();
-  }
-
-  /// Unit directions in which the vertex may move.
-  std::vector<Vector3> DirectionsOf(Index vertex) const;
-
-  StarSearch::Freedom FreedomOf(Index vertex) const
-  {
-    return { this->DirectionsOf(vertex),
-      [this, vertex](const Vector3& x) { return this->Place(vertex, x); },
-      [this, vertex](const Vector3& x) { return this->Guard.IsValid(vertex, x); } };
-  }
-
   DeviationGuard& Guard;
   const Triangles& T;
   const MeshTopology& Topology;
   const DisplacementConstraints& Constraints;
-  const PlaceVertex& Place;
+  const VertexPlaces Places;
   VertexMoves Moves;
   DistantVertices Distant; ///< empty in between
   MoveBudget Budget;
@@ -169,15 +129,15 @@ void Search::Raise(double goal, const Threshold& worth, ProgressMonitor& monitor
       break;
     }
     before = missing;
-    this->Sweep(ALONG_SURFACE, monitor);
+    this->Sweep(VertexPlaces::ALONG_SURFACE, monitor);
   }
   if (goal <= LiftedGoal)
   {
-    this->Sweep(LIFTED, monitor);
+    this->Sweep(VertexPlaces::LIFTED, monitor);
   }
 }
 
-void Search::Sweep(Direction direction, ProgressMonitor& monitor)
+void Search::Sweep(VertexPlaces::Direction direction, ProgressMonitor& monitor)
 {
   IndexSet vertices(this->Topology.vertices);
   for (const Index t : this->WorstFirst(this->Goal))
@@ -187,12 +147,13 @@ void Search::Sweep(Direction direction, ProgressMonitor& monitor)
       vertices.Add(i);
     }
   }
-  const std::vector<Index> refused = this->Try(vertices.Get(), direction, BEST, monitor);
-  this->Try(refused, direction, OTHERS, monitor);
+  const std::vector<Index> refused =
+    this->Try(vertices.Get(), direction, VertexPlaces::BEST, monitor);
+  this->Try(refused, direction, VertexPlaces::OTHERS, monitor);
 }
 
-std::vector<Index> Search::Try(
-  const std::vector<Index>& vertices, Direction direction, Choice choice, ProgressMonitor& monitor)
+std::vector<Index> Search::Try(const std::vector<Index>& vertices,
+  VertexPlaces::Direction direction, VertexPlaces::Choice choice, ProgressMonitor& monitor)
 {
   std::vector<Index> refused;
   std::vector<Index> open;
@@ -208,7 +169,8 @@ std::vector<Index> Search::Try(
     std::vector<VertexMove> moves(distant.size());
     ParallelFor(
       static_cast<Index>(distant.size()),
-      [&](Index k) { moves[k] = this->FindPlaces(distant[k], direction, choice); }, ParallelMoves);
+      [&](Index k) { moves[k] = this->Places.Find(distant[k], this->Goal, direction, choice); },
+      ParallelMoves);
     this->Moves.Run(moves, this->Budget);
     for (const VertexMove& move : moves)
     {
@@ -223,7 +185,7 @@ std::vector<Index> Search::Try(
 }
 
 std::vector<Index> Search::TakeDistant(
-  std::vector<Index>& vertices, Direction direction, Choice choice)
+  std::vector<Index>& vertices, VertexPlaces::Direction direction, VertexPlaces::Choice choice)
 {
   std::vector<Index> distant;
   std::vector<Index> others;
@@ -269,87 +231,20 @@ std::vector<Index> Search::WorstFirst(double goal) const
   return worst;
 }
 
-std::vector<Vector3> Search::DirectionsOf(Index vertex) const
-{
-  if (this->Constraints.freedom[vertex] == DisplacementConstraints::ALONG_LINE)
-  {
-    const Vector3 axis = this->Constraints.axes.row(vertex);
-    return { axis, -axis };
-  }
-  const Vector3 normal = this->NormalAt(vertex);
-  if (normal.isZero(0))
-  {
-    return {};
-  }
-  const Vector3 u = normal.unitOrthogonal();
-  const Vector3 v = normal.cross(u);
-  std::vector<Vector3> directions;
-  for (int k = 0; k < Directions; ++k)
-  {
-    const double angle = 2 * Pi * k / Directions;
-    const Vector3 direction = std::cos(angle) * u + std::sin(angle) * v;
-    directions.push_back(direction.cwiseProduct(this->Constraints.freeAxes));
-  }
-  return directions;
-}
-
-bool Search::IsOnPlane(Index vertex) const
-{
-  const Points& V = this->Guard.GetAccepted();
-  HeightRange heights;
-  for (const Index corner : this->Topology.cornersAt[vertex])
-  {
-    heights.Add(this->Guard.GetHeights(corner / 3));
-  }
-  const double size = StarSearch(V, this->T, this->Topology, vertex).GetSize();
-  return heights.Largest() < FlatHeight * size && IsFlatAt(V, this->T, this->Topology, vertex);
-}
-
-bool Search::MayTry(Index vertex, Direction direction, Choice choice) const
+bool Search::MayTry(
+  Index vertex, VertexPlaces::Direction direction, VertexPlaces::Choice choice) const
 {
   const auto effort = static_cast<double>(this->Guard.GetEffort() - this->EffortBefore);
   if (effort > this->Worth.effort * this->MostEffort)
   {
     return false;
   }
-  if (direction == LIFTED)
+  if (direction == VertexPlaces::LIFTED)
   {
     return this->Constraints.freedom[vertex] == DisplacementConstraints::IN_PLANE &&
-           !this->IsOnPlane(vertex);
+           !this->Places.IsOnPlane(vertex);
   }
-  return !this->IsFixed(vertex) && (choice == OTHERS || !this->IsExhausted[vertex]);
-}
-
-VertexMove Search::FindPlaces(Index vertex, Direction direction, Choice choice) const
-{
-  const StarSearch star(this->Guard.GetAccepted(), this->T, this->Topology, vertex);
-  const Vector3 here = this->Guard.GetAccepted().row(vertex);
-  VertexMove move = { vertex, { here, star.Measure(here) }, {} };
-  if (move.start.shape.minimum >= this->Goal)
-  {
-    return move;
-  }
-  const StarSearch::Freedom freedom = this->FreedomOf(vertex);
-  StarSearch::Place best = star.FindBest(move.start, freedom, this->Goal);
-  if (direction == LIFTED)
-  {
-    best = star.Lift(best, this->NormalAt(vertex), freedom, this->Goal);
-  }
-  if (choice == BEST)
-  {
-    move.places = { best };
-    return move;
-  }
-  for (const double share : Shares)
-  {
-    const Vector3 part = this->Place(vertex, here + share * (best.position - here));
-    move.places.push_back({ part, star.Measure(part) });
-  }
-  const std::vector<StarSearch::Place> better = star.FindBetter(move.start, freedom, this->Goal);
-  move.places.insert(move.places.end(), better.begin(),
-    better.begin() +
-      std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(better.size()), MostPlaces));
-  return move;
+  return !this->IsFixed(vertex) && (choice == VertexPlaces::OTHERS || !this->IsExhausted[vertex]);
 }
 
 void Search::Note(const VertexMove& move)

@@ -4,18 +4,12 @@
 #define lmo_WorstTriangles_h
 
 #include "Core/Base/ProgressMonitor.h"
-#include "Core/Deviation/DeviationGuard.h"
-#include "Core/Mesh/DisplacementConstraints.h"
-
-#include <functional>
+#include "Core/WorstTriangles/VertexPlaces.h"
 
 namespace lmo
 {
 /// Triangles with a smaller t are bad.
 constexpr double BadQuality = 0.45;
-
-/// Where a vertex comes to lie that is asked to move to a point: on its feature line, for instance.
-using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 
 /// Moves single vertices where that raises the minimum of t around them and the guard accepts it:
 /// first those of all bad triangles, then those of the worst ones, as long as the least t rises.
@@ -24,7 +18,7 @@ using PlaceVertex = std::function<Vector3(Index, const Vector3&)>;
 /// 0.5 it is lifted off its tangent plane where nothing else helps and where mesh and reference are
 /// not flat. Vertices that are distant from each other (DistantVertices) move at once, and the
 /// result does not depend on the number of threads. t_mean falls by 0.002 at most.
-/// The effort of proofs is limited to 2.25 times that which the guard has spent before, with 60,000
+/// The effort of proofs is limited to 2.1 times that which the guard has spent before, with 60,000
 /// more.
 /// \throw Cancelled if the monitor says so; the guard has accepted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
