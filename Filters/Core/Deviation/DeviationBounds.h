@@ -6,6 +6,7 @@
 #include "Core/Base/IndexSet.h"
 #include "Core/Deviation/CandidateMesh.h"
 #include "Core/Deviation/ReferenceSurface.h"
+#include "Core/Mesh/TriangleGeometry.h"
 
 namespace lmo
 {
@@ -66,6 +67,13 @@ public:
 
   /// Number of triangles that began beyond the distance, in both directions.
   Index CountBeyond() const { return this->LimitsOfMesh.Count() + this->LimitsOfReference.Count(); }
+
+  /// Unit normal of the reference's triangle over the centre of an accepted one.
+  Vector3 NormalBelow(Index t) const
+  {
+    return ScaledNormal(this->Reference.V, this->Reference.T, this->Overlays[t].centre)
+      .stableNormalized();
+  }
 
   /// Heights of the reference over an accepted triangle.
   const HeightRange& GetHeights(Index t) const { return this->Overlays[t].heights; }

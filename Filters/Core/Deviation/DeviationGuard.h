@@ -63,6 +63,9 @@ public:
   /// Heights of the reference over an accepted triangle.
   const HeightRange& GetHeights(Index t) const { return this->Bounds.GetHeights(t); }
 
+  /// Unit normal of the reference's triangle below the centre of an accepted one.
+  Vector3 NormalBelow(Index t) const { return this->Bounds.NormalBelow(t); }
+
   /// Every point of one surface is within this distance of the other, for the positions accepted.
   double GetBound() const { return this->Bounds.GetBound(); }
 

@@ -21,17 +21,6 @@ constexpr double HighestLift = 0.105; ///< the same; it tilts three triangles by
 constexpr double TurnedOver = -1;     ///< in the place of t
 }
 
-bool IsFlatAt(
-  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex)
-{
-  constexpr double cosine = 0.9998; // of 1 degree
-  const Vector3 normal = VertexNormal(V, triangles, topology, vertex);
-  const AdjacencyLists::Range corners = topology.cornersAt[vertex];
-  return std::all_of(corners.begin(), corners.end(),
-    [&](Index corner)
-    { return ScaledNormal(V, triangles, corner / 3).stableNormalized().dot(normal) > cosine; });
-}
-
 StarSearch::StarSearch(
   const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex)
 {

@@ -31,10 +31,6 @@ struct StarShape
   }
 };
 
-/// True if the triangles at a vertex lie in a plane.
-bool IsFlatAt(
-  const Points& V, const Triangles& triangles, const MeshTopology& topology, Index vertex);
-
 /// The cells at one vertex as functions of its position: their quality, and the place where the
 /// least of it is greatest.
 class StarSearch

@@ -14,7 +14,7 @@ namespace
 constexpr int Directions = 12;
 constexpr double Shares[] = { 0.5, 0.25 }; ///< of the way to the best place
 constexpr std::ptrdiff_t MostPlaces = 50;  ///< that are tried after these
-constexpr double FlatHeight = 0.01;        ///< of a plane's reference, in mean edge lengths
+constexpr double CosineInPlane = 0.9998;   ///< of 1 degree
 }
 
 std::vector<Vector3> VertexPlaces::DirectionsOf(Index vertex) const
@@ -44,13 +44,15 @@ std::vector<Vector3> VertexPlaces::DirectionsOf(Index vertex) const
 bool VertexPlaces::IsOnPlane(Index vertex) const
 {
   const Points& V = this->Guard.GetAccepted();
-  HeightRange heights;
-  for (const Index corner : this->Topology.cornersAt[vertex])
-  {
-    heights.Add(this->Guard.GetHeights(corner / 3));
-  }
-  const double size = StarSearch(V, this->T, this->Topology, vertex).GetSize();
-  return heights.Largest() < FlatHeight * size && IsFlatAt(V, this->T, this->Topology, vertex);
+  const Vector3 normal = VertexNormal(V, this->T, this->Topology, vertex);
+  const AdjacencyLists::Range corners = this->Topology.cornersAt[vertex];
+  return std::all_of(corners.begin(), corners.end(),
+    [&](Index corner)
+    {
+      const Index t = corner / 3;
+      return ScaledNormal(V, this->T, t).stableNormalized().dot(normal) > CosineInPlane &&
+             this->Guard.NormalBelow(t).dot(normal) > CosineInPlane;
+    });
 }
 
 VertexMove VertexPlaces::Find(Index vertex, double goal, Direction direction, Choice choice) const
