@@ -94,6 +94,7 @@ void vtkLaplacianMeshOptimizer::Session::Warn(
   }
   std::vector<std::string> texts = lmo::WarnOfDamage(options, result.comparison, result.volumeLoss);
   texts.push_back(lmo::WarnOfFreedom(result.freedom));
+  texts.push_back(lmo::WarnOfUnmoved(result.unmovedComponents));
   texts.push_back(lmo::WarnOfUnpreserved(result.unpreservedVolumes));
   texts.push_back(lmo::WarnOfBeyond(result.deviation.beyond));
   texts.push_back(lmo::WarnOfIntersections(result.intersections));

@@ -239,14 +239,17 @@ TestMesh RandomTriangles(Random& random, int triangles)
   return mesh;
 }
 
-TestMesh TwoComponents()
+TestMesh Joined(const TestMesh& a, const TestMesh& b)
 {
-  const TestMesh a = Icosphere(1);
-  const TestMesh b = Transformed(Tetrahedron(), 0.5, { 5, 0, 0 });
   TestMesh both{ Points(a.V.rows() + b.V.rows(), 3), Triangles(a.T.rows() + b.T.rows(), 3) };
   both.V << a.V, b.V;
   both.T << a.T, b.T.array() + static_cast<Index>(a.V.rows());
   return both;
+}
+
+TestMesh TwoComponents()
+{
+  return Joined(Icosphere(1), Transformed(Tetrahedron(), 0.5, { 5, 0, 0 }));
 }
 
 TestMesh WithIsolatedPoint(const TestMesh& mesh)

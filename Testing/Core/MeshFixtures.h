@@ -79,6 +79,9 @@ TestMesh DoublePyramid(int level);
 /// Random triangles in general position, which share no vertex.
 TestMesh RandomTriangles(Random& random, int triangles);
 
+/// The points and triangles of both.
+TestMesh Joined(const TestMesh& a, const TestMesh& b);
+
 /// A small sphere and a tetrahedron apart from it.
 TestMesh TwoComponents();
 

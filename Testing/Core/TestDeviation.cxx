@@ -6,9 +6,9 @@
 
 #include "Core/Deviation/DeviationGuard.h"
 #include "Core/Deviation/OverlayBound.h"
-#include "Core/WorstTriangles/WorstTriangles.h"
 #include "Core/Mesh/TriangleBvh.h"
 #include "Core/Optimizer/Optimizer.h"
+#include "Core/WorstTriangles/WorstTriangles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -219,6 +219,74 @@ void CheckRounds(Checks& c)
       0.01 * MaximumDistance(mesh.V, expected));
   }
 }
+
+/// The lateral surface of a cone with height 1 and radius 0.5, in rings of points.
+TestMesh Cone(int around, int rings)
+{
+  TestMesh mesh;
+  mesh.V.resize(1 + around * rings, 3);
+  mesh.V.row(0) << 0, 0, 1;
+  mesh.T.resize(around * (2 * rings - 1), 3);
+  Eigen::Index t = 0;
+  for (int ring = 1; ring <= rings; ++ring)
+  {
+    const auto point = [&](int of, int k)
+    { return of == 0 ? 0 : 1 + (of - 1) * around + k % around; };
+    for (int k = 0; k < around; ++k)
+    {
+      const double height = double(ring) / rings;
+      const double angle = 2 * Pi * k / around;
+      mesh.V.row(point(ring, k)) << 0.5 * height * std::cos(angle), 0.5 * height * std::sin(angle),
+        1 - height;
+      mesh.T.row(t++) << point(ring - 1, k), point(ring, k), point(ring, k + 1);
+      if (ring > 1)
+      {
+        mesh.T.row(t++) << point(ring - 1, k), point(ring, k + 1), point(ring - 1, k + 1);
+      }
+    }
+  }
+  return mesh;
+}
+
+OptimizerOptions Guide()
+{
+  OptimizerOptions options;
+  options.mode = Mode::SMOOTH_GUIDED;
+  return options;
+}
+
+void CheckShapes(Checks& c)
+{
+  const OptimizerResult cube = Run(Cube(), Guide());
+  c.Error(
+    "a cube of twelve triangles keeps its volume", cube.comparison.relativeVolumeChange, 1e-3);
+  c.Equal("none of its triangles turns over", cube.comparison.flippedTriangles, 0);
+
+  const TestMesh coarse = UvSphere(8, 6);
+  const OptimizerResult sphere = Run(coarse, Guide());
+  c.Error(
+    "a sphere that would shrink does not move", MaximumDistance(sphere.positions, coarse.V), 0);
+  c.Equal("and is counted", sphere.unmovedComponents, 1);
+
+  const OptimizerResult cone = Run(Cone(96, 4), Guide());
+  c.AtLeast("of the thin triangles of a cone one in a hundred at most turns over",
+    double(cone.comparison.triangles) / 100, double(cone.comparison.flippedTriangles));
+}
+
+void CheckComponents(Checks& c)
+{
+  const TestMesh noisy = Irregular(Icosphere(3), 0.03);
+  const TestMesh both = Joined(noisy, Transformed(UvSphere(8, 6), 1, { 3, 0, 0 }));
+  const Points alone = Run(noisy, Guide()).positions;
+  const OptimizerResult result = Run(both, Guide());
+  c.Error("a component that would shrink does not move",
+    MaximumDistance(result.positions.bottomRows(both.V.rows() - noisy.V.rows()),
+      both.V.bottomRows(both.V.rows() - noisy.V.rows())),
+    0);
+  c.Greater("another component is smoothed",
+    MaximumDistance(noisy.V, result.positions.topRows(noisy.V.rows())),
+    0.5 * MaximumDistance(noisy.V, alone));
+}
 }
 
 int TestGuidedSmoothing(int argc, char* argv[])
@@ -226,5 +294,7 @@ int TestGuidedSmoothing(int argc, char* argv[])
   Groups groups(argc, argv);
   groups.Run("Filter", CheckFilter);
   groups.Run("Rounds", CheckRounds);
+  groups.Run("Shapes", CheckShapes);
+  groups.Run("Components", CheckComponents);
   return groups.Result();
 }

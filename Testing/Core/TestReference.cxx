@@ -109,7 +109,8 @@ void CheckSecondRun(Checks& c)
     const OptimizerResult second = Run({ first.positions, mesh.T }, AsReference(mesh), Deviation);
     largest = Larger(largest, std::abs(second.comparison.after.mean - first.comparison.after.mean));
   }
-  c.Error("the mode changes its own results by less than 1e-3 of the mean radius ratio", largest, 1e-3);
+  c.Error(
+    "the mode changes its own results by less than 1e-3 of the mean radius ratio", largest, 1e-3);
 }
 
 void CheckContinued(Checks& c)
@@ -126,7 +127,9 @@ void CheckFeaturesOfReference(Checks& c)
 {
   const TestMesh smooth = Torus(24, 10, 0);
   const TestMesh folded = Transformed(Cube(), 1);
-  (void)smooth; (void)folded; (void)c;
+  (void)smooth;
+  (void)folded;
+  (void)c;
 }
 
 void CheckBeyond(Checks& c)

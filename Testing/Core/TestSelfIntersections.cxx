@@ -116,16 +116,6 @@ void CheckFans(Checks& c)
   c.True("nor is an open fan of more than a turn the other way round", !IsFlat(backwards));
 }
 
-TestMesh Joined(const TestMesh& a, const TestMesh& b)
-{
-  TestMesh mesh;
-  mesh.V.resize(a.V.rows() + b.V.rows(), 3);
-  mesh.V << a.V, b.V;
-  mesh.T.resize(a.T.rows() + b.T.rows(), 3);
-  mesh.T << a.T, (b.T.array() + Index(a.V.rows())).matrix();
-  return mesh;
-}
-
 TestMesh Reversed(TestMesh mesh)
 {
   mesh.T.col(1).swap(mesh.T.col(2));

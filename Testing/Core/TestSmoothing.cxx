@@ -82,11 +82,7 @@ void CheckVolumesOfComponents(Checks& c)
   const TestMesh small = Irregular(Icosphere(2, 0.5), 0.05);
   TestMesh large = Irregular(Icosphere(3), 0.05);
   large.V.col(0).array() += 10;
-  TestMesh both;
-  both.V.resize(small.V.rows() + large.V.rows(), 3);
-  both.V << small.V, large.V;
-  both.T.resize(small.T.rows() + large.T.rows(), 3);
-  both.T << small.T, (large.T.array() + static_cast<Index>(small.V.rows())).matrix();
+  const TestMesh both = Joined(small, large);
   OptimizerOptions options = Smoothing(0.1);
   options.preserveVolume = true;
   VertexArrays arrays;

@@ -68,13 +68,7 @@ SurfaceLocation Walk(const TestMesh& mesh, Index vertex, const Vector3& x)
 TestMesh TwoSheets()
 {
   const TestMesh sheet = Grid(8, 0);
-  const auto size = static_cast<Index>(sheet.V.rows());
-  TestMesh both;
-  both.V.resize(2 * size, 3);
-  both.V << sheet.V, sheet.V.rowwise() + Vector3(0, 0, 0.1);
-  both.T.resize(2 * sheet.T.rows(), 3);
-  both.T << sheet.T, (sheet.T.array() + size).matrix();
-  return both;
+  return Joined(sheet, Transformed(sheet, 1, { 0, 0, 0.1 }));
 }
 }
 

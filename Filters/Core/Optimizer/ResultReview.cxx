@@ -251,6 +251,15 @@ std::string WarnOfBeyond(Index triangles)
                "that the surface comes from.";
 }
 
+std::string WarnOfUnmoved(Index components)
+{
+  return components == 0
+           ? std::string()
+           : Counted(components, "closed component", "closed components") +
+               " did not move: smoothing would take more than a twentieth of the volume, since the "
+               "triangles are as large as the shape. Subdivide the surface, or choose SMOOTH.";
+}
+
 std::string WarnOfUnpreserved(Index volumes)
 {
   return volumes == 0

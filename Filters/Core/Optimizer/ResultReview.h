@@ -36,6 +36,9 @@ VertexFreedom CountFreedom(const MeshQuantities& mesh, const DisplacementConstra
 /// and the remedy. Empty if neither is so, and for a mesh without vertices.
 std::string WarnOfFreedom(const VertexFreedom& freedom);
 
+/// Says how many components SMOOTH_GUIDED did not move and why. Empty if there are none.
+std::string WarnOfUnmoved(Index components);
+
 /// Says how many volumes could not be preserved, and the remedy. Empty if there are none.
 std::string WarnOfUnpreserved(Index volumes);
 

@@ -61,6 +61,7 @@ struct ModeResult
   DeviationReport deviation;
   IntersectionReport intersections;
   Index unpreservedVolumes = 0; ///< components or labels that enclose no volume to preserve
+  Index unmovedComponents = 0;  ///< that SMOOTH_GUIDED would have shrunk
   bool isCancelled = false;     ///< the monitor asked to stop, and this is what there was by then
 };
 
