@@ -75,11 +75,11 @@ std::vector<Index> DeviationBounds::FindDependentOfFew(const std::vector<Index>&
 }
 
 std::vector<DeviationBounds::Failure> DeviationBounds::CheckCandidate(
-  std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
+  std::vector<Index> list, Extent extent, const Postpone& postpone, ProgressMonitor& monitor)
 {
   Split(list, monitor, [this](Index t) { return this->CarryToReference(t); });
   std::vector<Failure> failures = this->ToReference.Check(list, this->CandidateView(),
-    this->Reference, this->ReferenceTree, this->LimitsOfMesh, extent, monitor);
+    this->Reference, this->ReferenceTree, this->LimitsOfMesh, extent, postpone, monitor);
   for (const Index t : Split(list, monitor, [this](Index t) { return this->HasStrayed(t); }))
   {
     failures.push_back({ t, this->GetCentre(t) });
@@ -112,7 +112,7 @@ bool DeviationBounds::KeepUnmoved(Index t)
 }
 
 std::vector<DeviationBounds::Failure> DeviationBounds::CheckReference(
-  std::vector<Index> list, Extent extent, ProgressMonitor& monitor)
+  std::vector<Index> list, Extent extent, const Postpone& postpone, ProgressMonitor& monitor)
 {
   this->Recertified.Add(list);
   if (extent == DeviationCertificates::MANY_VERTICES)
@@ -124,7 +124,7 @@ std::vector<DeviationBounds::Failure> DeviationBounds::CheckReference(
     Split(list, monitor, [this](Index t) { return this->KeepUnmoved(t); });
   }
   std::vector<Failure> failures = this->ToCandidate.Check(list, this->Reference,
-    this->CandidateView(), this->Tree, this->LimitsOfReference, extent, monitor);
+    this->CandidateView(), this->Tree, this->LimitsOfReference, extent, postpone, monitor);
   failures.erase(std::remove_if(failures.begin(), failures.end(),
                    [this](const Failure& failure) { return this->KeepUnmoved(failure.triangle); }),
     failures.end());

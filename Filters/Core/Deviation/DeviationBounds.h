@@ -17,6 +17,7 @@ class DeviationBounds
 public:
   using Failure = DeviationCertificates::Failure;
   using Extent = DeviationCertificates::Extent;
+  using Postpone = DeviationCertificates::Postpone;
 
   /// Keeps references to the arguments.
   /// \param reference the mesh itself, with the same list of triangles, or another surface
@@ -47,14 +48,15 @@ public:
   std::vector<Index> FindDependentOfFew(const std::vector<Index>& triangles);
 
   /// The triangles of the candidate that are not close to the reference.
+  /// \param postpone see DeviationCertificates::Check()
   std::vector<Failure> CheckCandidate(
-    std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
+    std::vector<Index> list, Extent extent, const Postpone& postpone, ProgressMonitor& monitor);
 
   /// The triangles of the reference that are not close to the candidate, while displacements may be
   /// the reason. With MANY_VERTICES, accepted certificates are carried over where they leave enough
   /// of the distance; single displacements would add up in them.
   std::vector<Failure> CheckReference(
-    std::vector<Index> list, Extent extent, ProgressMonitor& monitor);
+    std::vector<Index> list, Extent extent, const Postpone& postpone, ProgressMonitor& monitor);
 
   /// The reference's triangle over the centre of a triangle of the candidate that was checked.
   Index GetCentre(Index t) const { return this->ToReference.Get(t).seed; }

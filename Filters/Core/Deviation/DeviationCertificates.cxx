@@ -117,45 +117,61 @@ DeviationCertificates::DeviationCertificates(const std::vector<Index>& seeds, Co
 
 std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
   const std::vector<Index>& list, const SurfaceView& from, const SurfaceView& to, TriangleBvh& tree,
-  const DistanceLimits& limits, Extent extent, ProgressMonitor& monitor)
+  const DistanceLimits& limits, Extent extent, const Postpone& postpone, ProgressMonitor& monitor)
 {
-  const auto size = static_cast<Index>(list.size());
-  const int searches = extent == SINGLE_VERTICES ? FewSearches : EnoughSearches;
-  Mask states(size, OverlayBound::UNCLEAR);
-  std::vector<Index> close(size, -1);
-  std::vector<int> effort(size, 1);
-  const auto proveOpen = [&](const TriangleBvh* closest)
+  std::vector<Index> open = list;
+  std::vector<Failure> failures = this->Prove(open, from, to, tree, limits, 0, monitor);
+  this->Effort += static_cast<std::int64_t>(list.size());
+  if (postpone)
   {
-    InterruptibleFor(
-      size, monitor,
-      [&, prover = Prover(from, to, limits, this->Kept)](Index k) mutable
-      {
-        if (states[k] == OverlayBound::UNCLEAR)
-        {
-          Subdivision subdivision{ tree, searches };
-          states[k] = prover.Prove(
-            list[k], closest ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
-          effort[k] +=
-            extent == SINGLE_VERTICES ? searches - std::max(subdivision.searchesLeft, 0) : 0;
-        }
-      },
-      ParallelProofs);
-  };
-  proveOpen(nullptr);
-  if (std::find(states.begin(), states.end(), OverlayBound::UNCLEAR) != states.end())
+    postpone(failures, open);
+  }
+  if (!open.empty())
   {
     tree.Refit();
-    proveOpen(&tree);
+    const int searches = extent == SINGLE_VERTICES ? FewSearches : EnoughSearches;
+    const std::vector<Failure> more = this->Prove(open, from, to, tree, limits, searches, monitor);
+    failures.insert(failures.end(), more.begin(), more.end());
   }
-  this->Effort += std::accumulate(effort.begin(), effort.end(), std::int64_t(0));
+  return failures;
+}
+
+std::vector<DeviationCertificates::Failure> DeviationCertificates::Prove(std::vector<Index>& list,
+  const SurfaceView& from, const SurfaceView& to, const TriangleBvh& tree,
+  const DistanceLimits& limits, int searches, ProgressMonitor& monitor)
+{
+  const auto size = static_cast<Index>(list.size());
+  Mask verdicts(size);
+  std::vector<Index> close(size, -1);
+  std::vector<int> effort(size, 0);
+  InterruptibleFor(
+    size, monitor,
+    [&, prover = Prover(from, to, limits, this->Kept)](Index k) mutable
+    {
+      Subdivision subdivision{ tree, searches };
+      verdicts[k] = prover.Prove(
+        list[k], searches > 0 ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
+      effort[k] = searches - std::max(subdivision.searchesLeft, 0);
+    },
+    ParallelProofs);
+  if (searches == FewSearches)
+  {
+    this->Effort += std::accumulate(effort.begin(), effort.end(), std::int64_t(0));
+  }
   std::vector<Failure> failures;
+  std::vector<Index> unclear;
   for (Index k = 0; k < size; ++k)
   {
-    if (states[k] == OverlayBound::BEYOND)
+    if (verdicts[k] == OverlayBound::BEYOND)
     {
       failures.push_back({ list[k], close[k] });
     }
+    else if (verdicts[k] == OverlayBound::UNCLEAR)
+    {
+      unclear.push_back(list[k]);
+    }
   }
+  list = std::move(unclear);
   return failures;
 }
 

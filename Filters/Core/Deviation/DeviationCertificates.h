@@ -7,6 +7,7 @@
 #include "Core/Mesh/TriangleBvh.h"
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 
 namespace lmo
@@ -90,13 +91,18 @@ public:
   /// \param seeds for each triangle one of the second mesh that is close to its centre
   DeviationCertificates(const std::vector<Index>& seeds, Content content);
 
+  /// Drops triangles from a list that need no proof any more, as others have failed.
+  using Postpone =
+    std::function<void(const std::vector<Failure>& failures, std::vector<Index>& list)>;
+
   /// Proves anew that the triangles of \a list of the mesh \a from are within their limits of the
   /// mesh \a to.
   /// \param tree of \a to; refitted if it is needed
+  /// \param postpone called once for the triangles whose proof takes longer; may be empty
   /// \throw Cancelled if the monitor says so; the certificates are of no use then.
   std::vector<Failure> Check(const std::vector<Index>& list, const SurfaceView& from,
     const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits, Extent extent,
-    ProgressMonitor& monitor);
+    const Postpone& postpone, ProgressMonitor& monitor);
 
   const Certificate& Get(Index triangle) const { return this->Certificates[triangle]; }
   void Set(Index triangle, Certificate certificate)
@@ -117,6 +123,13 @@ public:
   double GetBound() const;
 
 private:
+  /// Proves some triangles, by overlays and by subdivisions with so many searches, or by overlays
+  /// alone without them.
+  /// \param list is left with those that are unclear
+  std::vector<Failure> Prove(std::vector<Index>& list, const SurfaceView& from,
+    const SurfaceView& to, const TriangleBvh& tree, const DistanceLimits& limits, int searches,
+    ProgressMonitor& monitor);
+
   std::vector<Certificate> Certificates;
   Content Kept;
   std::int64_t Effort = 0;

@@ -15,6 +15,12 @@ namespace
 /// Share of the distance that round-off may not use.
 constexpr double Margin = 1e-6;
 
+template <typename Value>
+void Append(const std::vector<Value>& more, std::vector<Value>& list)
+{
+  list.insert(list.end(), more.begin(), more.end());
+}
+
 /// Adds what is not in the list yet.
 /// \param listed an empty set
 void AddOnce(const std::vector<Index>& more, std::vector<Index>& list, IndexSet& listed)
@@ -132,15 +138,48 @@ std::vector<Index> DeviationGuard::FindAstray(
   const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor)
 {
   std::vector<Index> astray;
-  for (const DeviationBounds::Failure& failure : this->Bounds.CheckCandidate(list, extent, monitor))
+  const auto postpone = [this](const auto& failed, std::vector<Index>& open)
+  {
+    std::vector<Failure> failures;
+    for (const DeviationBounds::Failure& failure : failed)
+    {
+      failures.push_back({ failure.triangle, {} });
+    }
+    this->Postpone(failures, open);
+  };
+  for (const auto& failure : this->Bounds.CheckCandidate(list, extent, postpone, monitor))
   {
     astray.push_back(failure.triangle);
   }
   std::vector<Index> straight = list;
-  const std::vector<Index> turned = Split(straight, monitor,
-    [this](Index t) { return this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)); });
-  astray.insert(astray.end(), turned.begin(), turned.end());
+  Append(Split(straight, monitor,
+           [this](Index t) { return this->Shapes.IsTurned(t, this->Bounds.GetCentre(t)); }),
+    astray);
   return astray;
+}
+
+std::vector<DeviationGuard::Failure> DeviationGuard::CheckReference(
+  const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor)
+{
+  const auto toFailures = [this](const std::vector<DeviationBounds::Failure>& failed)
+  {
+    std::vector<Failure> failures;
+    for (const auto& [triangle, close] : failed)
+    {
+      const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
+      failures.push_back({ close < 0 ? accepted.seed : close, accepted.used });
+    }
+    return failures;
+  };
+  const auto postpone = [&](const auto& failed, std::vector<Index>& open)
+  { this->PostponeOfReference(toFailures(failed), open); };
+  const std::vector<DeviationBounds::Failure> failed =
+    this->Bounds.CheckReference(list, extent, postpone, monitor);
+  for (const DeviationBounds::Failure& failure : failed)
+  {
+    this->OpenReference.push_back(failure.triangle);
+  }
+  return toFailures(failed);
 }
 
 bool DeviationGuard::IsSpoilt(Index t, double leastQuality) const
@@ -161,19 +200,33 @@ void DeviationGuard::AddOpen(const std::vector<Index>& list, std::vector<Failure
   }
 }
 
-template <typename IsPostponed>
-void DeviationGuard::Postpone(const std::vector<Failure>& failures, std::vector<Index>& list,
-  std::vector<Index>& open, const IsPostponed& isPostponed)
+void DeviationGuard::Blame(const std::vector<Failure>& failures)
 {
+  this->Blamed.Clear();
   ForEachToBlame(
     failures, this->Mesh.T,
     [this](Index i) { return this->Mesh.candidate.row(i) != this->Mesh.accepted.row(i); },
     [this](Index i) { this->Blamed.Add(i); });
-  const auto end =
-    std::stable_partition(list.begin(), list.end(), [&](Index t) { return !isPostponed(t); });
-  open.insert(open.end(), end, list.end());
-  list.erase(end, list.end());
-  this->Blamed.Clear();
+}
+
+void DeviationGuard::Postpone(const std::vector<Failure>& failures, std::vector<Index>& list)
+{
+  this->Blame(failures);
+  ProgressMonitor unwatched;
+  Append(Split(list, unwatched, [this](Index t) { return this->IsAtBlamed(t); }), this->Open);
+}
+
+void DeviationGuard::PostponeOfReference(
+  const std::vector<Failure>& failures, std::vector<Index>& list)
+{
+  this->Blame(failures);
+  ProgressMonitor unwatched;
+  const auto isPostponed = [this](Index t)
+  {
+    const std::vector<Index>& used = this->Bounds.GetAccepted(t).used;
+    return std::any_of(used.begin(), used.end(), [this](Index u) { return this->IsAtBlamed(u); });
+  };
+  Append(Split(list, unwatched, isPostponed), this->OpenReference);
 }
 
 bool DeviationGuard::IsAtBlamed(Index t) const
@@ -204,27 +257,10 @@ std::vector<DeviationGuard::Failure> DeviationGuard::Judge(
       [&](Index t) { return this->Mesh.IsMoved(t) && this->IsSpoilt(t, leastQuality); }),
     failures);
   this->AddNewPairs(changed, monitor, failures);
-  if (extent == SINGLE_VERTICES)
-  {
-    this->Postpone(failures, changed, this->Open, [this](Index t) { return this->IsAtBlamed(t); });
-  }
+  this->Postpone(failures, changed);
   this->AddOpen(this->FindAstray(changed, extent, monitor), failures);
-  if (extent == SINGLE_VERTICES)
-  {
-    this->Postpone(failures, below, this->OpenReference,
-      [this](Index t)
-      {
-        const std::vector<Index>& used = this->Bounds.GetAccepted(t).used;
-        return std::any_of(
-          used.begin(), used.end(), [this](Index u) { return this->IsAtBlamed(u); });
-      });
-  }
-  for (const auto& [triangle, close] : this->Bounds.CheckReference(below, extent, monitor))
-  {
-    const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
-    this->OpenReference.push_back(triangle);
-    failures.push_back({ close < 0 ? accepted.seed : close, accepted.used });
-  }
+  this->PostponeOfReference(failures, below);
+  Append(this->CheckReference(below, extent, monitor), failures);
   return failures;
 }
 

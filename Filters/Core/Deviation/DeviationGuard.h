@@ -93,7 +93,8 @@ public:
   /// vertices at once.
   bool IsValid(Index vertex, const Vector3& position);
 
-  /// Judges all that has been proposed since the last Accept() or RollBack().
+  /// Judges all that has been proposed since the last Accept() or RollBack(), first what is cheap
+  /// to find; it looks no further around vertices that are to blame already.
   /// \param vertices for which a position has been proposed since the last call
   /// \param leastQuality t below which that of a triangle must not fall
   /// \return no failures if the proposal may be accepted
@@ -132,14 +133,22 @@ private:
   /// Adds triangles that failed, if they have moved.
   void AddOpen(const std::vector<Index>& list, std::vector<Failure>& failures);
 
-  /// Moves triangles from a list to those that the next call judges, since one of their vertices is
-  /// to blame already.
-  template <typename IsPostponed>
-  void Postpone(const std::vector<Failure>& failures, std::vector<Index>& list,
-    std::vector<Index>& open, const IsPostponed& isPostponed);
+  /// Lists the vertices that failures are to be blamed on.
+  void Blame(const std::vector<Failure>& failures);
+
+  /// Leaves triangles of a list to the next call whose vertices are to blame for failures already,
+  /// and have to move again.
+  void Postpone(const std::vector<Failure>& failures, std::vector<Index>& list);
+
+  /// The same for triangles of the reference, whose certificates need such triangles.
+  void PostponeOfReference(const std::vector<Failure>& failures, std::vector<Index>& list);
 
   /// True if a corner of a triangle is among the vertices to blame.
   bool IsAtBlamed(Index t) const;
+
+  /// The triangles of the reference that are far from the candidate.
+  std::vector<Failure> CheckReference(
+    const std::vector<Index>& list, Extent extent, ProgressMonitor& monitor);
 
   void EndTransaction();
 

@@ -52,7 +52,7 @@ DistanceLimits CertifyInput(DeviationCertificates& certificates, const SurfaceVi
   for (double excess = FirstExcess;; excess *= 2)
   {
     const auto failures = certificates.Check(
-      open, from, to, tree, limits, DeviationCertificates::MANY_VERTICES, monitor);
+      open, from, to, tree, limits, DeviationCertificates::MANY_VERTICES, {}, monitor);
     if (failures.empty())
     {
       return limits;
