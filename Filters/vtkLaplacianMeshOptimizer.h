@@ -170,9 +170,11 @@ public:
    * stays in its tangent plane; after each pass the displacements that exceed MaximumDeviation or
    * damage a triangle are reduced. The mode has weights of its own. The smallest radius ratio does
    * not fall, and no additional triangle is inverted or folded. If you abort the filter, the output
-   * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the
-   * normals of the triangles and lets the triangles follow them, three times; it has weights of its
-   * own. Only OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays.
+   * is the best mesh found so far. SMOOTH_GUIDED (4): smooths lightly, then filters the normals of
+   * the triangles and lets the triangles follow them, three times; it has weights of its own.
+   * Closed components that would lose more than a twentieth of their volume, since their triangles
+   * are as large as their shape, do not move, and a warning counts them. Only
+   * OPTIMIZE_WITHIN_DEVIATION guarantees how close the surface stays.
    * Default: OPTIMIZE_WITHIN_DEVIATION.
    */
   vtkSetMacro(Mode, int);
@@ -307,9 +309,11 @@ public:
    * input: the surface that the input was made from by remeshing, or by earlier runs, whose errors
    * add up otherwise. Of a composite data set, all blocks are the reference. Its triangles should
    * face the same side as those of the input. What begins farther away than MaximumDeviation does
-   * not move farther away; a warning counts these triangles. With InterpolatePointData the output
-   * gets the point data and field data that the reference has and the input has not. Other modes do
-   * not use it. Without triangles it is an error.
+   * not move farther away; a warning counts these triangles. An input with the triangles of the
+   * Reference is an earlier result: its features are those of the Reference, and it stays as it is
+   * if a pass would gain less than a twentieth of what its mean radius ratio lacks to 1. With
+   * InterpolatePointData the output gets the point data and field data that the reference has and
+   * the input has not. Other modes do not use it. Without triangles it is an error.
    */
   void SetReferenceConnection(vtkAlgorithmOutput* reference);
   void SetReferenceData(vtkDataObject* reference);

@@ -8,6 +8,7 @@
 #include "Core/Deviation/OverlayBound.h"
 #include "Core/Mesh/TriangleBvh.h"
 #include "Core/Optimizer/Optimizer.h"
+#include "Core/WorstTriangles/DistantVertices.h"
 #include "Core/WorstTriangles/WorstTriangles.h"
 
 #include <algorithm>
@@ -292,6 +293,30 @@ void CheckLifting(Checks& c)
     LargestMagnitude(outcome.result.positions.leftCols(2) - sphere.V.leftCols(2)), 1e-3);
 }
 
+void CheckEndOfPasses(Checks& c)
+{
+  OptimizerOptions options = WithinDeviation(0.002);
+  options.deviation.passes = 100;
+  options.deviation.improveWorstTriangles = false;
+  const TestMesh mesh = Irregular(Icosphere(2), 0.05);
+  ProgressMonitor monitor;
+  c.AtLeast("passes that gain nothing end the mode", 50,
+    double(Optimize(mesh.V, mesh.T, options, {}, monitor).deviation.passes));
+}
+
+void CheckDistantVertices(Checks& c)
+{
+  const TestMesh grid = Grid(8, 0); // nine points in a row
+  const MeshTopology topology = BuildTopology(static_cast<Index>(grid.V.rows()), grid.T);
+  DistantVertices distant(grid.T, topology);
+  c.True("a first vertex is distant from all others", distant.Add(9 * 4 + 4));
+  c.True("a neighbour is not", !distant.Add(9 * 4 + 5));
+  c.True("nor is a vertex with a common neighbour", !distant.Add(9 * 4 + 6));
+  c.True("a vertex is whose neighbours are others", distant.Add(9 * 4 + 7));
+  distant.Clear();
+  c.True("none is near when all have been forgotten", distant.Add(9 * 4 + 5));
+}
+
 /// Long triangles over a plate, of which hardly one may move, take no more than a certain effort.
 void CheckEffort(Checks& c)
 {
@@ -347,6 +372,8 @@ int TestDeviation(int argc, char* argv[])
   groups.Run("Passes", CheckPasses);
   groups.Run("Centring", CheckCentring);
   groups.Run("Curves", CheckCurves);
+  groups.Run("EndOfPasses", CheckEndOfPasses);
+  groups.Run("DistantVertices", CheckDistantVertices);
   groups.Run("WorstTriangles", CheckWorstTriangles);
   groups.Run("Lifting", CheckLifting);
   groups.Run("Effort", CheckEffort);

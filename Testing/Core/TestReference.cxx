@@ -132,6 +132,30 @@ void CheckFeaturesOfReference(Checks& c)
   (void)c;
 }
 
+/// The cube's points on the sphere around it: no edge is sharp, but for those of the reference.
+void CheckFeatures(Checks& c)
+{
+  const TestMesh cube = Cube(2);
+  TestMesh round = cube;
+  for (Eigen::Index i = 0; i < round.V.rows(); ++i)
+  {
+    round.V.row(i) = (cube.V.row(i) - cube.V.colwise().mean()).normalized();
+  }
+  OptimizerOptions options;
+  options.detectFeatures = true;
+  VertexArrays arrays;
+  arrays.reference = AsReference(cube);
+  ProgressMonitor monitor;
+  const auto corners = [&]
+  {
+    const OptimizerResult result = Optimize(round.V, round.T, options, arrays, monitor);
+    return (result.featureClass->array() == FeatureLines::CORNER).count();
+  };
+  c.Equal("an earlier result has the features of its reference", corners(), 8);
+  arrays.reference = nullptr;
+  c.Equal("without it, it has its own", corners(), 0);
+}
+
 void CheckBeyond(Checks& c)
 {
   const TestMesh mesh = Transformed(Input(), 1.02);
@@ -223,6 +247,7 @@ int TestReference(int argc, char* argv[])
   groups.Run("Repeated", CheckRepeated);
   groups.Run("SecondRun", CheckSecondRun);
   groups.Run("Continued", CheckContinued);
+  groups.Run("Features", CheckFeatures);
   groups.Run("Beyond", CheckBeyond);
   groups.Run("FarAway", CheckFarAway);
   groups.Run("VertexLimits", CheckVertexLimits);

@@ -64,12 +64,6 @@ public:
 private:
   Index Size() const { return this->Mesh.GetTopology().vertices; }
 
-  /// Between which the feature lines run.
-  const Points& OriginalPoints() const
-  {
-    return this->Plan.part.original.rows() > 0 ? this->Plan.part.original : this->Mesh.GetPoints();
-  }
-
   void SetPositionWeights()
   {
     lmo::SetPositionWeights(this->Mesh, this->Cumulative, this->Guard.GetAcceptedQuality(),
@@ -152,8 +146,10 @@ Solution Passes::Propose(ProgressMonitor& monitor)
 
 Vector3 Passes::Place(Index i, const Vector3& position) const
 {
+  const Points& part = this->Plan.part.original;
+  const Points& original = part.rows() > 0 ? part : this->Mesh.GetPoints();
   const Vector3 placed = this->Features.pointClass[i] == FeatureLines::EDGE
-                           ? ProjectOntoLine(this->Features, this->OriginalPoints(), i, position)
+                           ? ProjectOntoLine(this->Features, original, i, position)
                            : position;
   return this->Options.roundToFloat ? RoundToFloat(placed) : placed;
 }

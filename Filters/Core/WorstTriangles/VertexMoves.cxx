@@ -24,8 +24,9 @@ bool MoveBudget::Take(const StarShape& before, const StarShape& after)
 
 void VertexMoves::ProposeNext(VertexMove& move, MoveBudget& budget)
 {
+  const bool mayTry = static_cast<double>(this->Guard.GetEffort()) < this->MostEffort;
   move.isMoved = false;
-  while (!move.isMoved && move.next < move.places.size())
+  while (mayTry && !move.isMoved && move.next < move.places.size())
   {
     move.isMoved = budget.Take(move.start.shape, move.places[move.next++].shape);
   }
@@ -62,8 +63,9 @@ bool VertexMoves::Judge(std::vector<Index> proposed, MoveBudget& budget)
   return failures.empty();
 }
 
-void VertexMoves::Run(std::vector<VertexMove>& moves, MoveBudget& budget)
+void VertexMoves::Run(std::vector<VertexMove>& moves, MoveBudget& budget, double mostEffort)
 {
+  this->MostEffort = mostEffort;
   std::vector<Index> proposed;
   for (VertexMove& move : moves)
   {

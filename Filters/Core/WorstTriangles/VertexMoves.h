@@ -71,7 +71,8 @@ public:
   }
 
   /// Moves each vertex to the first of its places that pays and that the guard accepts.
-  void Run(std::vector<VertexMove>& moves, MoveBudget& budget);
+  /// \param mostEffort of the guard, beyond which no more places are tried
+  void Run(std::vector<VertexMove>& moves, MoveBudget& budget, double mostEffort);
 
 private:
   /// Proposes the next place that pays, or else the old one.
@@ -88,6 +89,7 @@ private:
 
   DeviationGuard& Guard;
   const Triangles& T;
+  double MostEffort = 0;
   std::vector<VertexMove*> MoveOf; ///< of each vertex; null for those that have none
 };
 }

@@ -94,6 +94,12 @@ private:
   /// False also where a search has failed already, and as long as no neighbour has moved.
   bool MayTry(Index vertex, VertexPlaces::Direction direction, VertexPlaces::Choice choice) const;
 
+  /// Of the guard, at which this goal has had its share.
+  double MostEffortNow() const
+  {
+    return static_cast<double>(this->EffortBefore) + this->Worth.effort * this->MostEffort;
+  }
+
   bool IsFixed(Index i) const
   {
     return this->Constraints.freedom[i] == DisplacementConstraints::FIXED;
@@ -171,7 +177,7 @@ std::vector<Index> Search::Try(const std::vector<Index>& vertices,
       static_cast<Index>(distant.size()),
       [&](Index k) { moves[k] = this->Places.Find(distant[k], this->Goal, direction, choice); },
       ParallelMoves);
-    this->Moves.Run(moves, this->Budget);
+    this->Moves.Run(moves, this->Budget, this->MostEffortNow());
     for (const VertexMove& move : moves)
     {
       this->Note(move);
@@ -234,8 +240,7 @@ std::vector<Index> Search::WorstFirst(double goal) const
 bool Search::MayTry(
   Index vertex, VertexPlaces::Direction direction, VertexPlaces::Choice choice) const
 {
-  const auto effort = static_cast<double>(this->Guard.GetEffort() - this->EffortBefore);
-  if (effort > this->Worth.effort * this->MostEffort)
+  if (static_cast<double>(this->Guard.GetEffort()) > this->MostEffortNow())
   {
     return false;
   }
