@@ -308,13 +308,16 @@ void CheckDistantVertices(Checks& c)
 {
   const TestMesh grid = Grid(8, 0); // nine points in a row
   const MeshTopology topology = BuildTopology(static_cast<Index>(grid.V.rows()), grid.T);
-  DistantVertices distant(grid.T, topology);
-  c.True("a first vertex is distant from all others", distant.Add(9 * 4 + 4));
-  c.True("a neighbour is not", !distant.Add(9 * 4 + 5));
-  c.True("nor is a vertex with a common neighbour", !distant.Add(9 * 4 + 6));
-  c.True("a vertex is whose neighbours are others", distant.Add(9 * 4 + 7));
+  DistantVertices distant(grid.T, topology, 2);
+  const auto add = [&](Index column, std::vector<Index> below = {})
+  { return distant.Add(9 * 4 + column, [&](Index) { return below; }); };
+  c.True("a first vertex is distant from all others", add(4, { 0 }));
+  c.True("a neighbour is not", !add(5));
+  c.True("nor is a vertex with a common neighbour", !add(6));
+  c.True("nor is one on which a triangle of the reference depends as well", !add(7, { 1, 0 }));
+  c.True("a vertex is that has neither in common", add(7, { 1 }));
   distant.Clear();
-  c.True("none is near when all have been forgotten", distant.Add(9 * 4 + 5));
+  c.True("none is near when all have been forgotten", add(5, { 0 }));
 }
 
 /// Long triangles over a plate, of which hardly one may move, take no more than a certain effort.

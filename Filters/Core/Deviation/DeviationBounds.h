@@ -67,6 +67,8 @@ public:
     return this->ToAccepted.Get(t);
   }
 
+  Index CountReferenceTriangles() const { return this->ToAccepted.Size(); }
+
   /// Number of triangles that began beyond the distance, in both directions.
   Index CountBeyond() const { return this->LimitsOfMesh.Count() + this->LimitsOfReference.Count(); }
 

@@ -40,7 +40,22 @@ void Store(const OverlayBound& overlay, OverlayBound::Verdict verdict,
 constexpr int EnoughSearches = 1 << 20;
 constexpr int FewSearches = 256;
 
-constexpr Index ParallelProofs = 32; ///< that are worth a thread
+constexpr std::size_t PartsOfProofs = 3; ///< one of them is tried before others may be postponed
+constexpr Index ParallelProofs = 32;     ///< that are worth a thread
+constexpr Index ParallelDivisions = 2;   ///< the same, by subdivision
+
+/// Takes the first one of each so many values from a list.
+std::vector<Index> TakeEach(std::size_t values, std::vector<Index>& list)
+{
+  std::vector<Index> taken;
+  std::vector<Index> others;
+  for (std::size_t k = 0; k < list.size(); ++k)
+  {
+    (k % values == 0 ? taken : others).push_back(list[k]);
+  }
+  list = std::move(others);
+  return taken;
+}
 
 /// Proves triangles, each by an overlay or, if none exists, by subdivision.
 class Prover
@@ -122,16 +137,25 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::Check(
   std::vector<Index> open = list;
   std::vector<Failure> failures = this->Prove(open, from, to, tree, limits, 0, monitor);
   this->Effort += static_cast<std::int64_t>(list.size());
-  if (postpone)
+  const auto postponeOpen = [&]
   {
-    postpone(failures, open);
-  }
+    if (postpone)
+    {
+      postpone(failures, open);
+    }
+  };
+  postponeOpen();
   if (!open.empty())
   {
     tree.Refit();
-    const int searches = extent == SINGLE_VERTICES ? FewSearches : EnoughSearches;
-    const std::vector<Failure> more = this->Prove(open, from, to, tree, limits, searches, monitor);
+  }
+  const int searches = extent == SINGLE_VERTICES ? FewSearches : EnoughSearches;
+  while (!open.empty())
+  {
+    std::vector<Index> part = TakeEach(extent == SINGLE_VERTICES ? PartsOfProofs : 1, open);
+    const std::vector<Failure> more = this->Prove(part, from, to, tree, limits, searches, monitor);
     failures.insert(failures.end(), more.begin(), more.end());
+    postponeOpen();
   }
   return failures;
 }
@@ -153,7 +177,7 @@ std::vector<DeviationCertificates::Failure> DeviationCertificates::Prove(std::ve
         list[k], searches > 0 ? &subdivision : nullptr, this->Certificates[list[k]], close[k]);
       effort[k] = searches - std::max(subdivision.searchesLeft, 0);
     },
-    ParallelProofs);
+    searches > 0 ? ParallelDivisions : ParallelProofs);
   if (searches == FewSearches)
   {
     this->Effort += std::accumulate(effort.begin(), effort.end(), std::int64_t(0));

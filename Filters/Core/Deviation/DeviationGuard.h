@@ -73,6 +73,15 @@ public:
   /// and of the reference from the mesh.
   Index CountBeyond() const { return this->Bounds.CountBeyond(); }
 
+  Index CountReferenceTriangles() const { return this->Bounds.CountReferenceTriangles(); }
+
+  /// Between two transactions, the triangles of the reference that have to be judged again if a
+  /// vertex moves.
+  std::vector<Index> FindDependent(Index vertex)
+  {
+    return this->FindDependent(this->TrianglesAt({ vertex }), SINGLE_VERTICES);
+  }
+
   /// The pairs of triangles that meet in the original mesh, see SelfIntersections.
   const std::vector<TrianglePair>& GetInputPairs() const { return this->InputPairs; }
 

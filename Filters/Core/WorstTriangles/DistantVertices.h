@@ -6,30 +6,45 @@
 #include "Core/Base/IndexSet.h"
 #include "Core/Mesh/MeshTopology.h"
 
+#include <algorithm>
+
 namespace lmo
 {
-/// Vertices that do not share a cell, nor a vertex next to both: what one of them does to the
-/// cells at it and to the normals of their corners does not depend on the others.
+/// Vertices that do not share a cell, nor a vertex next to both, nor a triangle of the reference
+/// whose certificate needs the cells of both: what the guard says of one of them does not depend on
+/// the others.
 class DistantVertices
 {
 public:
   /// Keeps references to the arguments.
-  DistantVertices(const Triangles& triangles, const MeshTopology& topology)
+  /// \param referenceTriangles number of them
+  DistantVertices(
+    const Triangles& triangles, const MeshTopology& topology, Index referenceTriangles)
     : T(triangles)
     , Topology(topology)
     , Near(topology.vertices)
     , Ring(topology.vertices)
+    , Below(referenceTriangles)
   {
   }
 
   /// Adds a vertex if it is distant from all of them.
+  /// \param findBelow returns the triangles of the reference that depend on the vertex
   /// \return whether it is
-  bool Add(Index vertex)
+  template <typename FindBelow>
+  bool Add(Index vertex, const FindBelow& findBelow)
   {
     if (this->Near.GetMask()[vertex])
     {
       return false;
     }
+    const std::vector<Index> below = findBelow(vertex);
+    if (std::any_of(
+          below.begin(), below.end(), [this](Index t) { return this->Below.GetMask()[t]; }))
+    {
+      return false;
+    }
+    this->Below.Add(below);
     this->AddRing(vertex, this->Ring);
     for (const Index i : this->Ring.Get())
     {
@@ -39,7 +54,11 @@ public:
     return true;
   }
 
-  void Clear() { this->Near.Clear(); }
+  void Clear()
+  {
+    this->Near.Clear();
+    this->Below.Clear();
+  }
 
 private:
   /// Adds the corners of the cells at a vertex.
@@ -57,8 +76,9 @@ private:
 
   const Triangles& T;
   const MeshTopology& Topology;
-  IndexSet Near; ///< to the vertices, and these
-  IndexSet Ring; ///< empty in between
+  IndexSet Near;  ///< to the vertices, and these
+  IndexSet Ring;  ///< empty in between
+  IndexSet Below; ///< triangles of the reference that depend on the vertices
 };
 }
 

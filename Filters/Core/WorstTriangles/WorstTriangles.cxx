@@ -19,7 +19,7 @@ constexpr double SmallestRise = 0.01;     ///< that suffices above BadQuality
 constexpr double LiftedGoal = 0.5;        ///< above it no vertex leaves its tangent plane
 constexpr int MostSweeps = 10;            ///< for one goal
 constexpr double LargestLoss = 2e-3;      ///< of t_mean, at which triangles are raised
-constexpr double RelativeEffort = 1.1;    ///< of proofs, in terms of those until then
+constexpr double RelativeEffort = 0.9;    ///< of proofs, in terms of those until then
 constexpr double EnoughEffort = 60000;    ///< where those were few
 constexpr std::ptrdiff_t MostOpen = 1024; ///< vertices from which distant ones are chosen
 constexpr Index ParallelMoves = 4;        ///< that are worth a thread
@@ -31,7 +31,7 @@ struct Threshold
   double stalling; ///< share of what is missing to the goal that a last sweep leaves
   double effort;   ///< share of all effort at which to stop
 };
-constexpr Threshold OfMany = { { 1e-3, 0.01 }, 0.95, 0.75 };
+constexpr Threshold OfMany = { { 1e-3, 0.01 }, 0.98, 0.75 };
 constexpr Threshold OfWorst = { { 2e-4, 0 }, 0.995, 1 };
 
 Index CountCells(const Triangles& triangles, const MeshTopology& topology)
@@ -51,7 +51,7 @@ public:
     , Constraints(constraints)
     , Places(guard, triangles, topology, constraints, place)
     , Moves(guard, triangles, topology.vertices)
-    , Distant(triangles, topology)
+    , Distant(triangles, topology, guard.CountReferenceTriangles())
     , Budget(LargestLoss * CountCells(triangles, topology))
     , EffortBefore(guard.GetEffort())
     , MostEffort(EnoughEffort + RelativeEffort * static_cast<double>(guard.GetEffort()))
@@ -199,7 +199,9 @@ std::vector<Index> Search::TakeDistant(
   {
     if (this->MayTry(i, direction, choice))
     {
-      (this->Distant.Add(i) ? distant : others).push_back(i);
+      const bool isDistant =
+        this->Distant.Add(i, [this](Index j) { return this->Guard.FindDependent(j); });
+      (isDistant ? distant : others).push_back(i);
     }
   }
   this->Distant.Clear();

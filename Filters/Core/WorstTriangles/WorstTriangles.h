@@ -18,7 +18,7 @@ constexpr double BadQuality = 0.45;
 /// 0.5 it is lifted off its tangent plane where nothing else helps and where mesh and reference are
 /// not flat. Vertices that are distant from each other (DistantVertices) move at once, and the
 /// result does not depend on the number of threads. t_mean falls by 0.002 at most.
-/// The effort of proofs is limited to 2.1 times that which the guard has spent before, with 60,000
+/// The effort of proofs is limited to 1.9 times that which the guard has spent before, with 60,000
 /// more.
 /// \throw Cancelled if the monitor says so; the guard has accepted what was done by then.
 void ImproveWorstTriangles(DeviationGuard& guard, const Triangles& triangles,
