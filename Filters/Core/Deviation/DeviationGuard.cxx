@@ -141,6 +141,7 @@ std::vector<Index> DeviationGuard::FindAstray(
   const auto postpone = [this](const auto& failed, std::vector<Index>& open)
   {
     std::vector<Failure> failures;
+    failures.reserve(failed.size());
     for (const DeviationBounds::Failure& failure : failed)
     {
       failures.push_back({ failure.triangle, {} });
@@ -164,6 +165,7 @@ std::vector<DeviationGuard::Failure> DeviationGuard::CheckReference(
   const auto toFailures = [this](const std::vector<DeviationBounds::Failure>& failed)
   {
     std::vector<Failure> failures;
+    failures.reserve(failed.size());
     for (const auto& [triangle, close] : failed)
     {
       const DeviationCertificates::Certificate& accepted = this->Bounds.GetAccepted(triangle);
