@@ -71,7 +71,7 @@ Mask FindShrunk(const MeshQuantities& mesh, const Points& positions)
     const Index region = regions.sides.row(t).maxCoeff();
     isShrunk[component[T(t, 0)]] = region != EnclosedRegions::None &&
                                    before.IsSignificant(region) &&
-                                   after.volume[region] < (1 - LargestLoss) * before.volume[region];
+                                   1 - after.volume[region] / before.volume[region] > LargestLoss;
   }
   return isShrunk;
 }
