@@ -97,7 +97,8 @@ std::shared_ptr<const Points> ChooseTarget(const CotangentQuantities& quantities
     return std::make_shared<const Points>(-Apply(L, mesh.GetPoints()));
   }
   const Points& prescribed = Require(mesh, arrays.prescribedLaplacians,
-    "The mode needs a point array of prescribed Laplacians with 3 components");
+    "The mode needs a point array of prescribed Laplacians with 3 components, as the filter Mesh "
+    "Laplacian makes");
   return std::make_shared<const Points>(options.laplacianType == LaplacianType::MEAN_CURVATURE
                                           ? CurvatureNormalTarget(quantities, prescribed)
                                           : prescribed - Apply(L, mesh.GetPoints()));
