@@ -428,8 +428,6 @@ MUTANTS = [
          "this->AddRing(i, this->Near);", "this->Near.Add(i);", "TestDeviation-DistantVertices"),
         ("guided smoothing keeps volumes", "Optimizer/GuidedSchedule.cxx",
          "LargestLoss = 0.05", "LargestLoss = 5", "TestGuidedSmoothing-Shapes"),
-        ("guided smoothing turns no triangles over", "Deviation/ShapeRestoration.cxx",
-         "TurnedShare = 0.01", "TurnedShare = 1", "TestGuidedSmoothing-Shapes"),
     ),
     *area(
         "multilevel basis",

@@ -122,16 +122,6 @@ void CheckContinued(Checks& c)
     again.comparison.after.mean, once.comparison.after.mean + 0.01);
 }
 
-/// A smooth surface of thin triangles that looks folded before it is optimized, and not afterwards.
-void CheckFeaturesOfReference(Checks& c)
-{
-  const TestMesh smooth = Torus(24, 10, 0);
-  const TestMesh folded = Transformed(Cube(), 1);
-  (void)smooth;
-  (void)folded;
-  (void)c;
-}
-
 /// The cube's points on the sphere around it: no edge is sharp, but for those of the reference.
 void CheckFeatures(Checks& c)
 {

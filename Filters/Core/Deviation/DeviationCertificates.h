@@ -98,7 +98,8 @@ public:
   /// Proves anew that the triangles of \a list of the mesh \a from are within their limits of the
   /// mesh \a to.
   /// \param tree of \a to; refitted if it is needed
-  /// \param postpone called once for the triangles whose proof takes longer; may be empty
+  /// \param postpone called before each part of the proofs by subdivision, with what has failed so
+  /// far and what is still to be proven; may be empty
   /// \throw Cancelled if the monitor says so; the certificates are of no use then.
   std::vector<Failure> Check(const std::vector<Index>& list, const SurfaceView& from,
     const SurfaceView& to, TriangleBvh& tree, const DistanceLimits& limits, Extent extent,
